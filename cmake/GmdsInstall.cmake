@@ -1,0 +1,16 @@
+# cmake --install: headers (templates included), library, package files for find_package(gmds) and pkg-config.
+include(CMakePackageConfigHelpers)
+set(GMDS_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/gmds)
+install(TARGETS gmds EXPORT gmdsTargets)
+install(DIRECTORY include/gmds/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gmds
+  FILES_MATCHING PATTERN "*.h" PATTERN models EXCLUDE PATTERN algorithms EXCLUDE)
+install(FILES ${PROJECT_BINARY_DIR}/include/gmds/config.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gmds)
+install(DIRECTORY models algorithms DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gmds FILES_MATCHING PATTERN "*.h")
+install(EXPORT gmdsTargets NAMESPACE gmds:: DESTINATION ${GMDS_PACKAGE_DIR})
+configure_package_config_file(cmake/gmdsConfig.cmake.in ${PROJECT_BINARY_DIR}/gmdsConfig.cmake
+  INSTALL_DESTINATION ${GMDS_PACKAGE_DIR})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/gmdsConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/gmdsConfig.cmake ${PROJECT_BINARY_DIR}/gmdsConfigVersion.cmake
+  DESTINATION ${GMDS_PACKAGE_DIR})
+configure_file(cmake/gmds.pc.in ${PROJECT_BINARY_DIR}/gmds.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/gmds.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

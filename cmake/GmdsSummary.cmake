@@ -1,0 +1,17 @@
+# One summary of what was found and what is left out. gmds_report(NAME FOUND WHAT_FOR) adds a line.
+function(gmds_report name found what_for)
+  if(found)
+    set(line "  found    ${name}: ${what_for}")
+  else()
+    set(line "  missing  ${name}: left out: ${what_for}")
+  endif()
+  set_property(GLOBAL APPEND PROPERTY GMDS_SUMMARY "${line}")
+endfunction()
+
+function(gmds_print_summary)
+  get_property(lines GLOBAL PROPERTY GMDS_SUMMARY)
+  message(STATUS "gmds ${PROJECT_VERSION}, ${CMAKE_BUILD_TYPE}, ${GMDS_ID_BITS}-bit ids, ${CMAKE_C_COMPILER_ID} ${CMAKE_C_COMPILER_VERSION}")
+  foreach(line ${lines})
+    message(STATUS "${line}")
+  endforeach()
+endfunction()

@@ -1,0 +1,29 @@
+/* Insertion orders of points: a Hilbert curve in rounds (biased randomised insertion order; Amenta, Choi and Rote
+ * 2003), with equal points found on the way. */
+#ifndef GMDS_ORDER_H
+#define GMDS_ORDER_H
+
+#include <gmds/ids.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Orders n points for insertion.
+ *   memory     where temporary arrays come from: at most 24 bytes a point, all freed again
+ *   dim        2 (3 comes with volumes)
+ *   n, xy      n × dim coordinates, row major, all finite
+ *   order      n entries: the indices of the distinct points in insertion order; of equal points (-0 equals +0) the
+ *              lowest index stands for all. Only the first *distinct entries are set
+ *   same_as    n entries, or NULL: for each point the index of the point that stands for it (itself as a rule)
+ *   distinct   how many distinct points there are
+ * GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_COORDINATE (a NaN or infinity: `error` names the first such point);
+ * GMDS_ERR_TOO_MANY (n does not fit gmds_id); GMDS_ERR_ARGUMENT (dim). On failure nothing is written.
+ * The order depends on the coordinates and their positions alone. O(n log n) worst case, O(n) for spread points. */
+gmds_status gmds_order_points(gmds_memory *memory, int dim, size_t n, const double *xy, gmds_error *error,
+                              gmds_id *order, gmds_id *same_as, size_t *distinct);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
