@@ -1,0 +1,151 @@
+/* Identifiers of the cells of one dimension, and their attributes. */
+#include <gmds/cells.h>
+#include <string.h>
+
+size_t gmds_value_bytes(gmds_value type)
+{
+#define BYTES(name, ctype, text) sizeof(ctype),
+  static const size_t bytes[] = {GMDS_VALUE_LIST(BYTES)};
+#undef BYTES
+  return (unsigned)type < GMDS_VALUE_COUNT ? bytes[type] : 0;
+}
+
+const char *gmds_value_text(gmds_value type)
+{
+#define TEXT(name, ctype, text) text,
+  static const char *const texts[] = {GMDS_VALUE_LIST(TEXT)};
+#undef TEXT
+  return (unsigned)type < GMDS_VALUE_COUNT ? texts[type] : "unknown";
+}
+
+void gmds_cells_init(gmds_cells *cells, gmds_memory *memory, size_t limit)
+{
+  *cells = (gmds_cells){.alive = {.memory = memory}, .limit = limit};
+}
+
+void gmds_cells_clear(gmds_cells *cells)
+{
+  while (cells->attributes)
+    gmds_attribute_remove(cells, cells->attributes);
+  gmds_bits_clear(&cells->alive);
+  gmds_cells_init(cells, cells->alive.memory, cells->limit);
+}
+
+gmds_status gmds_cells_resize(gmds_cells *cells, size_t capacity)
+{
+  if (capacity > cells->limit)
+    return GMDS_ERR_TOO_MANY;
+  GMDS_TRY(gmds_bits_resize(&cells->alive, capacity));
+  for (gmds_attribute *a = cells->attributes; a; a = a->next)
+    if (!gmds_resize(cells->alive.memory, &a->data, cells->capacity, capacity, a->bytes)) {
+      /* give back what the columns before it have grown by: a shrinking block stays valid even when it cannot move */
+      for (gmds_attribute *b = cells->attributes; b != a; b = b->next)
+        (void)gmds_resize(cells->alive.memory, &b->data, capacity, cells->capacity, b->bytes);
+      (void)gmds_bits_resize(&cells->alive, cells->capacity);
+      return GMDS_ERR_MEMORY;
+    }
+  cells->capacity = capacity;
+  return GMDS_OK;
+}
+
+size_t gmds_cells_needed(const gmds_cells *cells, size_t more)
+{
+  size_t holes = cells->end - cells->count;
+  if (more <= holes || more - holes <= cells->capacity - cells->end)
+    return cells->capacity;
+  if (more - holes > SIZE_MAX - cells->end)
+    return SIZE_MAX;
+  size_t needed = cells->end + (more - holes), grown = gmds_grown(cells->capacity, needed);
+  return needed <= cells->limit && grown > cells->limit ? cells->limit : grown;
+}
+
+gmds_id gmds_cells_take(gmds_cells *cells)
+{
+  size_t id = cells->end;
+  if (cells->count < cells->end) {
+    id = gmds_bits_next_unset(&cells->alive, cells->hole, cells->end);
+    cells->hole = id + 1;
+  } else {
+    cells->end++;
+    cells->hole = cells->end;
+  }
+  gmds_bits_set(&cells->alive, id);
+  cells->count++;
+  for (gmds_attribute *a = cells->attributes; a; a = a->next)
+    memset((char *)a->data + id * a->bytes, 0, a->bytes);
+  return (gmds_id)id;
+}
+
+void gmds_cells_drop(gmds_cells *cells, gmds_id id)
+{
+  gmds_bits_unset(&cells->alive, id);
+  cells->count--;
+  if (id < cells->hole)
+    cells->hole = id;
+  while (cells->end > 0 && !gmds_bits_get(&cells->alive, cells->end - 1))
+    cells->end--;
+  if (cells->hole > cells->end)
+    cells->hole = cells->end;
+}
+
+void gmds_cells_renumber(gmds_cells *cells, const gmds_id *map)
+{
+  for (gmds_attribute *a = cells->attributes; a; a = a->next)
+    for (gmds_id c = gmds_cells_next(cells, 0); c != GMDS_NONE; c = gmds_cells_next(cells, c + 1))
+      if (map[c] != c)
+        memcpy((char *)a->data + map[c] * a->bytes, (char *)a->data + c * a->bytes, a->bytes);
+  cells->end = cells->hole = cells->count;
+  gmds_bits_fill(&cells->alive, cells->count);
+}
+
+gmds_attribute *gmds_attribute_find(const gmds_cells *cells, const char *name)
+{
+  for (gmds_attribute *a = cells->attributes; a; a = a->next)
+    if (strcmp(a->name, name) == 0)
+      return a;
+  return NULL;
+}
+
+gmds_status gmds_attribute_add(gmds_cells *cells, const char *name, gmds_value type, size_t components,
+                               gmds_attribute **attribute)
+{
+  gmds_memory *memory = cells->alive.memory;
+  size_t bytes = gmds_value_bytes(type);
+  if (!name || !*name || !bytes || !components || components > SIZE_MAX / bytes)
+    return GMDS_ERR_ARGUMENT;
+  if (gmds_attribute_find(cells, name))
+    return GMDS_ERR_CONFLICT;
+  void *object = NULL, *text = NULL, *data = NULL;
+  size_t name_bytes = strlen(name) + 1;
+  bytes *= components;
+  if (!gmds_resize(memory, &object, 0, 1, sizeof(gmds_attribute)))
+    return GMDS_ERR_MEMORY;
+  if (!gmds_resize(memory, &text, 0, name_bytes, 1) || !gmds_resize(memory, &data, 0, cells->capacity, bytes)) {
+    if (text)
+      gmds_release(memory, text, name_bytes, 1);
+    gmds_release(memory, object, 1, sizeof(gmds_attribute));
+    return GMDS_ERR_MEMORY;
+  }
+  memcpy(text, name, name_bytes);
+  if (cells->capacity)
+    memset(data, 0, cells->capacity * bytes);
+  gmds_attribute *a = object;
+  *a = (gmds_attribute){cells->attributes, text, name_bytes, type, components, bytes, data};
+  cells->attributes = a;
+  *attribute = a;
+  return GMDS_OK;
+}
+
+void gmds_attribute_remove(gmds_cells *cells, gmds_attribute *attribute)
+{
+  gmds_memory *memory = cells->alive.memory;
+  gmds_attribute **link = &cells->attributes;
+  while (*link && *link != attribute)
+    link = &(*link)->next;
+  if (!*link)
+    return;
+  *link = attribute->next;
+  gmds_release(memory, attribute->data, cells->capacity, attribute->bytes);
+  gmds_release(memory, attribute->name, attribute->name_bytes, 1);
+  gmds_release(memory, attribute, 1, sizeof *attribute);
+}

@@ -1,0 +1,41 @@
+/* The checksum of a set of cells. */
+#include <gmds/checksum.h>
+#include <string.h>
+
+static uint64_t mix64(uint64_t x)
+{
+  x = (x ^ (x >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+  x = (x ^ (x >> 27)) * UINT64_C(0x94d049bb133111eb);
+  return x ^ (x >> 31);
+}
+
+static int before(int dim, const double *a, const double *b)
+{
+  for (int k = 0; k < dim; k++)
+    if (a[k] != b[k])
+      return a[k] < b[k];
+  return 0;
+}
+
+gmds_status gmds_checksum_cell(int dim, const double *points, size_t n, gmds_id *nodes, uint64_t *h)
+{
+  if (dim != 2 && dim != 3)
+    return GMDS_ERR_ARGUMENT;
+  size_t d = (size_t)dim;
+  for (size_t i = 1; i < n; i++)
+    for (size_t j = i; j > 0 && before(dim, points + d * nodes[j], points + d * nodes[j - 1]); j--) {
+      gmds_id swap = nodes[j];
+      nodes[j] = nodes[j - 1];
+      nodes[j - 1] = swap;
+    }
+  uint64_t sum = 0;
+  for (size_t i = 0; i < n; i++)
+    for (size_t k = 0; k < d; k++) {
+      double x = points[d * nodes[i] + k] + 0.0; /* -0 becomes +0 */
+      uint64_t w = 0;
+      memcpy(&w, &x, sizeof w);
+      sum = mix64((sum ^ w) + UINT64_C(0x9e3779b97f4a7c15));
+    }
+  *h = sum;
+  return GMDS_OK;
+}

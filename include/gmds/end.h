@@ -1,0 +1,12 @@
+/* Closes the model that <gmds/mesh.h> opened: every short name and every macro of it is gone. */
+#ifndef GMDS__OPEN
+#  error "gmds: <gmds/end.h> without <gmds/mesh.h>"
+#endif
+#include <gmds/models/incidence/names_end.h>
+#include <gmds/models/paths_end.h>
+#include <gmds/models/mask_end.h>
+#undef GMDS__OPEN
+#undef GMDS_PREFIX
+#undef GMDS_MODEL
+#undef GMDS_FACES
+#undef GMDS_BACKEND

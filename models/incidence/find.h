@@ -1,0 +1,106 @@
+/* Finding what is at a side before a cell is made or removed: the edge between two nodes, the faces on it. By the
+ * shortest way that the stored relations allow. */
+
+/* Edges know nodes, or nodes edges. */
+#define GMDS__LINKED_EDGES (GMDS__S_0_1 || GMDS__S_1_0)
+/* The faces on a side can be found: through their nodes, or through the edge there. */
+#define GMDS__FINDS_FACES                                                                                              \
+  (((GMDS__S_0_2 || GMDS__S_2_0) && GMDS__KNOWS_SIDES) || (GMDS__LINKED_EDGES && (GMDS__S_1_2 || GMDS__S_2_1)))
+/* The edge at a side can be found: by its nodes, or by the faces there. */
+#define GMDS__FINDS_EDGES (GMDS__LINKED_EDGES || (GMDS__FINDS_FACES && (GMDS__S_1_2 || GMDS__S_2_1)))
+
+#if GMDS__LINKED_EDGES
+/* The edge between nodes a and b, or GMDS_NONE. O(edges at a) with N2E, else a traversal of E2N. */
+static inline gmds_id find_edge(const mesh *m, gmds_id a, gmds_id b)
+{
+#  if GMDS__S_0_1
+  gmds_id from = m->r_0_1.length[a] < m->r_0_1.length[b] ? a : b, to = from == a ? b : a;
+  size_t n = 0;
+  const gmds_id *row = gmds_rows_get(&m->r_0_1, from, &n);
+  for (size_t k = 0; k < n; k++) {
+#    if GMDS__S_1_0
+    const gmds_id *ends = m->r_1_0.data + 2 * (size_t)row[k];
+    if (ends[0] == to || ends[1] == to)
+      return row[k];
+#    else
+    if (gmds_rows_find(&m->r_0_1, to, row[k]) != GMDS_NONE)
+      return row[k];
+#    endif
+  }
+  return GMDS_NONE;
+#  else
+  return gmds_find_pair(m->r_1_0.data, &m->cells[1].alive, m->cells[1].end, a, b);
+#  endif
+}
+#endif
+
+#if GMDS__FINDS_FACES
+/* Puts the faces on the side from a to b into `out`; e is the edge there (GMDS_NONE: none, or not known). */
+static inline gmds_status faces_at_side(const mesh *m, gmds_id a, gmds_id b, gmds_id e, gmds_ids *out)
+{
+  out->n = 0;
+  (void)a;
+  (void)b;
+  (void)e;
+#  if (GMDS__S_0_2 || (GMDS__S_2_0 && !(GMDS__LINKED_EDGES && GMDS__S_1_2))) && GMDS__KNOWS_SIDES
+  GMDS_TRY(gmds_ids_push(out, a));
+  GMDS_TRY(gmds_ids_push(out, b));
+  GMDS_TRY(meet_0_2(m, out, 0, 2, 2));
+  size_t kept = 0;
+  for (size_t i = 2; i < out->n; i++) {
+#    if !GMDS__SIMPLICIAL
+    if (!has_side(m, out->data[i], a, b))
+      continue;
+#    endif
+    out->data[kept++] = out->data[i];
+  }
+  out->n = kept;
+#  else
+  if (e == GMDS_NONE)
+    return GMDS_OK;
+  GMDS_TRY(gmds_ids_push(out, e));
+  GMDS_TRY(hop_1_2(m, out, 0, 1));
+  out->n--;
+  memmove(out->data, out->data + 1, out->n * sizeof *out->data);
+#  endif
+  return GMDS_OK;
+}
+#endif
+
+#if GMDS__FINDS_EDGES && !GMDS__LINKED_EDGES
+/* The edge on the side from a to b through the faces there (faces[0 .. n)), or GMDS_NONE. Where faces keep nodes and
+ * edges in order it is the edge of that side; else the edge that bounds these faces and no others. */
+static inline gmds_status edge_of_faces(const mesh *m, gmds_id a, gmds_id b, const gmds_id *faces, size_t n,
+                                        gmds_ids *scratch, gmds_id *edge)
+{
+  (void)scratch;
+  *edge = GMDS_NONE;
+  if (!n)
+    return GMDS_OK;
+#  if GMDS__S_2_0 && GMDS__S_2_1
+  size_t sides = 0;
+  *edge = row_2_1(m, faces[0], &sides)[find_side(m, faces[0], a, b)];
+#  else
+  (void)a;
+  (void)b;
+  scratch->n = 0;
+  GMDS_TRY(gmds_ids_push(scratch, faces[0]));
+  GMDS_TRY(hop_2_1(m, scratch, 0, 1));
+  size_t edges = scratch->n;
+  for (size_t i = 1; i < edges && *edge == GMDS_NONE; i++) {
+    scratch->n = edges;
+    GMDS_TRY(hop_1_2(m, scratch, i, i + 1));
+    int same = scratch->n - edges == n;
+    for (size_t k = 0; k < n; k++) {
+      int has = 0;
+      for (size_t j = edges; j < scratch->n; j++)
+        has |= scratch->data[j] == faces[k];
+      same &= has;
+    }
+    if (same)
+      *edge = scratch->data[i];
+  }
+#  endif
+  return GMDS_OK;
+}
+#endif

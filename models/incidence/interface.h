@@ -1,0 +1,232 @@
+/* What a mesh can do: the functions of an opened model, each under the model's prefix (tri_mesh_init, ...). This is the
+ * interface that algorithms are written against; they know no backend.
+ *
+ * Identifiers are local: nodes, edges and faces are numbered from 0 each, with holes after deletions. Unless said
+ * otherwise a call that is given an identifier refuses one that is not alive with GMDS_ERR_CELL, and a call that fails
+ * has changed nothing. Calls on a const mesh may run concurrently, each with lists of its own. */
+
+typedef struct mesh mesh;
+
+/* ---- life
+
+ * An empty mesh. allocator: where its memory comes from; NULL stands for the C library's. Allocates nothing. Do not copy
+ * or move the structure while it is in use. */
+static inline void mesh_init(mesh *m, const gmds_allocator *allocator);
+
+/* Frees everything. The mesh is empty and usable; memory.peak goes on. */
+static inline void mesh_clear(mesh *m);
+
+/* Room for at least this many cells in all, exactly if there was less. GMDS_OK, GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY. */
+static inline gmds_status reserve(mesh *m, size_t nodes, size_t edges, size_t faces);
+
+/* Gives back the room that is not used. Identifiers stay. GMDS_OK or GMDS_ERR_MEMORY (valid, trimmed in part).
+ * O(mesh). */
+static inline gmds_status trim(mesh *m);
+
+/* Renumbers the cells so that there is no hole, in the order they have. maps[i], if not NULL, receives the new identifier
+ * of each old i-cell, GMDS_NONE for holes; it has room for as many as m->cells[i].end. maps may be NULL. Invalidates
+ * every identifier. GMDS_OK or GMDS_ERR_MEMORY. O(mesh), constant when there is no hole. */
+static inline gmds_status compact(mesh *m, gmds_id *maps[3]);
+
+/* ---- cells: how many are alive; whether one is; the first from `id` on, or GMDS_NONE.
+
+ *     for (gmds_id f = tri_next_2(&m, 0); f != GMDS_NONE; f = tri_next_2(&m, f + 1))
+ * meets every face that lives all along, once, whatever is created or deleted in the loop. */
+static inline size_t count_0(const mesh *m);
+static inline size_t count_1(const mesh *m);
+static inline size_t count_2(const mesh *m);
+static inline int has_0(const mesh *m, gmds_id v);
+static inline int has_1(const mesh *m, gmds_id e);
+static inline int has_2(const mesh *m, gmds_id f);
+static inline gmds_id next_0(const mesh *m, gmds_id v);
+static inline gmds_id next_1(const mesh *m, gmds_id e);
+static inline gmds_id next_2(const mesh *m, gmds_id f);
+
+/* The 2 or 3 coordinates of a live node (not checked); valid until a node is added. */
+static inline const double *point(const mesh *m, gmds_id v);
+static inline void set_point(mesh *m, gmds_id v, const double *x);
+
+/* ---- queries: get_adj_i_j puts the j-cells incident (i != j) or adjacent (i = j) to one i-cell into a list of the
+ * caller: a set, without repetition and without GMDS_NONE; for 2 -> 0 in order around the face where GMDS_ORDERED_2_0.
+ * 0 -> 0 is being joined by an edge, kept or not; 1 -> 1 sharing a node; 2 -> 2 sharing a side.
+ * GMDS_OK; GMDS_ERR_CELL; GMDS_ERR_MEMORY (the list's content is lost). Cost: docs/costs.md, or `gmds models MASK`.
+ * A query that the model cannot answer does not compile, and says what to add. */
+#if GMDS__CAN_0_0
+static inline gmds_status get_adj_0_0(const mesh *m, gmds_id v, gmds_ids *out);
+#elif GMDS__PATH_0_0
+GMDS__UNDECIDED(0, 0) gmds_status get_adj_0_0(const mesh *m, gmds_id v, gmds_ids *out);
+#else
+GMDS__SORRY(0, 0, GMDS_PATHS_0_0) gmds_status get_adj_0_0(const mesh *m, gmds_id v, gmds_ids *out);
+#endif
+#if GMDS__CAN_0_1
+static inline gmds_status get_adj_0_1(const mesh *m, gmds_id v, gmds_ids *out);
+#elif GMDS__PATH_0_1
+GMDS__UNDECIDED(0, 1) gmds_status get_adj_0_1(const mesh *m, gmds_id v, gmds_ids *out);
+#else
+GMDS__SORRY(0, 1, GMDS_PATHS_0_1) gmds_status get_adj_0_1(const mesh *m, gmds_id v, gmds_ids *out);
+#endif
+#if GMDS__CAN_0_2
+static inline gmds_status get_adj_0_2(const mesh *m, gmds_id v, gmds_ids *out);
+#elif GMDS__PATH_0_2
+GMDS__UNDECIDED(0, 2) gmds_status get_adj_0_2(const mesh *m, gmds_id v, gmds_ids *out);
+#else
+GMDS__SORRY(0, 2, GMDS_PATHS_0_2) gmds_status get_adj_0_2(const mesh *m, gmds_id v, gmds_ids *out);
+#endif
+#if GMDS__CAN_1_0
+static inline gmds_status get_adj_1_0(const mesh *m, gmds_id e, gmds_ids *out);
+#elif GMDS__PATH_1_0
+GMDS__UNDECIDED(1, 0) gmds_status get_adj_1_0(const mesh *m, gmds_id e, gmds_ids *out);
+#else
+GMDS__SORRY(1, 0, GMDS_PATHS_1_0) gmds_status get_adj_1_0(const mesh *m, gmds_id e, gmds_ids *out);
+#endif
+#if GMDS__CAN_1_1
+static inline gmds_status get_adj_1_1(const mesh *m, gmds_id e, gmds_ids *out);
+#elif GMDS__PATH_1_1
+GMDS__UNDECIDED(1, 1) gmds_status get_adj_1_1(const mesh *m, gmds_id e, gmds_ids *out);
+#else
+GMDS__SORRY(1, 1, GMDS_PATHS_1_1) gmds_status get_adj_1_1(const mesh *m, gmds_id e, gmds_ids *out);
+#endif
+#if GMDS__CAN_1_2
+static inline gmds_status get_adj_1_2(const mesh *m, gmds_id e, gmds_ids *out);
+#elif GMDS__PATH_1_2
+GMDS__UNDECIDED(1, 2) gmds_status get_adj_1_2(const mesh *m, gmds_id e, gmds_ids *out);
+#else
+GMDS__SORRY(1, 2, GMDS_PATHS_1_2) gmds_status get_adj_1_2(const mesh *m, gmds_id e, gmds_ids *out);
+#endif
+#if GMDS__CAN_2_0
+static inline gmds_status get_adj_2_0(const mesh *m, gmds_id f, gmds_ids *out);
+#elif GMDS__PATH_2_0
+GMDS__UNDECIDED(2, 0) gmds_status get_adj_2_0(const mesh *m, gmds_id f, gmds_ids *out);
+#else
+GMDS__SORRY(2, 0, GMDS_PATHS_2_0) gmds_status get_adj_2_0(const mesh *m, gmds_id f, gmds_ids *out);
+#endif
+#if GMDS__CAN_2_1
+static inline gmds_status get_adj_2_1(const mesh *m, gmds_id f, gmds_ids *out);
+#elif GMDS__PATH_2_1
+GMDS__UNDECIDED(2, 1) gmds_status get_adj_2_1(const mesh *m, gmds_id f, gmds_ids *out);
+#else
+GMDS__SORRY(2, 1, GMDS_PATHS_2_1) gmds_status get_adj_2_1(const mesh *m, gmds_id f, gmds_ids *out);
+#endif
+#if GMDS__CAN_2_2
+static inline gmds_status get_adj_2_2(const mesh *m, gmds_id f, gmds_ids *out);
+#elif GMDS__PATH_2_2
+GMDS__UNDECIDED(2, 2) gmds_status get_adj_2_2(const mesh *m, gmds_id f, gmds_ids *out);
+#else
+GMDS__SORRY(2, 2, GMDS_PATHS_2_2) gmds_status get_adj_2_2(const mesh *m, gmds_id f, gmds_ids *out);
+#endif
+
+/* The same for every i-cell at once: row c of the csr (empty where c is not alive) is what get_adj_i_j gives for c.
+ * The csr is initialised and empty, its memory is the caller's. GMDS_OK or GMDS_ERR_MEMORY (it stays empty). O(mesh). */
+#if GMDS__CAN_0_0
+static inline gmds_status all_adj_0_0(const mesh *m, gmds_csr *csr);
+#endif
+#if GMDS__CAN_0_1
+static inline gmds_status all_adj_0_1(const mesh *m, gmds_csr *csr);
+#endif
+#if GMDS__CAN_0_2
+static inline gmds_status all_adj_0_2(const mesh *m, gmds_csr *csr);
+#endif
+#if GMDS__CAN_1_0
+static inline gmds_status all_adj_1_0(const mesh *m, gmds_csr *csr);
+#endif
+#if GMDS__CAN_1_1
+static inline gmds_status all_adj_1_1(const mesh *m, gmds_csr *csr);
+#endif
+#if GMDS__CAN_1_2
+static inline gmds_status all_adj_1_2(const mesh *m, gmds_csr *csr);
+#endif
+#if GMDS__CAN_2_0
+static inline gmds_status all_adj_2_0(const mesh *m, gmds_csr *csr);
+#endif
+#if GMDS__CAN_2_1
+static inline gmds_status all_adj_2_1(const mesh *m, gmds_csr *csr);
+#endif
+#if GMDS__CAN_2_2
+static inline gmds_status all_adj_2_2(const mesh *m, gmds_csr *csr);
+#endif
+
+/* ---- creation
+
+ * A node with the model's 2 or 3 coordinates. GMDS_OK, GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY. */
+static inline gmds_status add_node(mesh *m, const double *x, gmds_id *id);
+
+/* The edge between two nodes, found or made. Also GMDS_ERR_ARGUMENT (a == b). O(edges at a) with N2E, else O(edges).
+ * In models that link edges and nodes (E2N or N2E). */
+#if GMDS__K_1 && (GMDS__S_0_1 || GMDS__S_1_0)
+static inline gmds_status add_edge(mesh *m, gmds_id a, gmds_id b, gmds_id *id);
+#endif
+
+/* A face of n distinct nodes, listed around it; its edges are found or made. Every stored relation is kept true.
+ * GMDS_OK; GMDS_ERR_ARGUMENT (n is not of the model's types, or a node occurs twice); GMDS_ERR_CELL (a node that does
+ * not exist); GMDS_ERR_CONFLICT (F2F holds two faces a side, this would be the third); GMDS_ERR_UNSUPPORTED (the model
+ * has no way to find what is at a side: use add_face_linked); GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY.
+ * Local where the model finds faces and edges locally, else a traversal a side. */
+static inline gmds_status add_face(mesh *m, size_t n, const gmds_id *nodes, gmds_id *id);
+static inline gmds_status add_triangle(mesh *m, gmds_id a, gmds_id b, gmds_id c, gmds_id *id);
+static inline gmds_status add_quadrilateral(mesh *m, gmds_id a, gmds_id b, gmds_id c, gmds_id d, gmds_id *id);
+
+/* The same when the caller knows what is at the sides: nothing is looked up, in any model. What it says is believed;
+ * F2F still refuses a third face. links NULL: as add_face. */
+static inline gmds_status add_face_linked(mesh *m, size_t n, const gmds_id *nodes, const gmds_links *links,
+                                          gmds_id *id);
+
+/* ---- deletion: nothing that remains names what is gone.
+
+ * A face; its edges stay, or go when they bound no other face (GMDS_DROP_BARE_EDGES). GMDS_OK; GMDS_ERR_CELL;
+ * GMDS_ERR_MEMORY; GMDS_ERR_UNSUPPORTED (the model cannot tell what is to be forgotten). The cost of 2 -> 0 and 2 -> 1. */
+static inline gmds_status remove_face(mesh *m, gmds_id f, gmds_edges edges);
+
+/* An edge or a node: refused with GMDS_ERR_CONFLICT while something is on it, or after that has gone (GMDS_CASCADE; the
+ * edges of faces that go stay, save those at the node). The rest as remove_face. */
+#if GMDS__K_1
+static inline gmds_status remove_edge(mesh *m, gmds_id e, gmds_around around);
+#endif
+static inline gmds_status remove_node(mesh *m, gmds_id v, gmds_around around);
+
+/* ---- sides: side k of a face joins its nodes k and k + 1
+
+ * The three nodes of a live triangle (not checked) in order. In models with GMDS_ORDERED_2_0. */
+#if GMDS_ORDERED_2_0
+static inline void triangle_nodes(const mesh *m, gmds_id f, gmds_id v[3]);
+#endif
+
+/* The face beyond side k of a live face (not checked), or GMDS_NONE; *arrival is the number of the side there.
+ * In models with GMDS_ACROSS. Constant, or the fewer of the faces at its two nodes. */
+#if GMDS_ACROSS
+static inline gmds_id across(const mesh *m, gmds_id f, unsigned k, unsigned *arrival);
+#endif
+
+/* ---- the cavity operator: see topology.h for the cavity
+
+ * Replaces n_faces triangles by the n_sides triangles (sides[i].a, sides[i].b, apex). The sides are in order: the end of
+ * each is the beginning of the next. The apex is a node that nothing is on. ids[i] receives the triangle on side i; the
+ * identifiers of the cavity are used again. Attributes of reused cells stay as they were.
+ * GMDS_OK; GMDS_ERR_ARGUMENT (n_sides is not n_faces + 2); GMDS_ERR_INVARIANT (an edge that should be there is not);
+ * GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY. Nothing is looked up in models where F2E or N2E, or no edge, is stored.
+ * In models that hold triangles, answer 2 -> 0 and do not store E2E. */
+#if GMDS__TRIANGLES && GMDS__CAN_2_0 && !GMDS__S_1_1
+static inline gmds_status star(mesh *m, gmds_id apex, size_t n_faces, const gmds_cavity_face *faces, size_t n_sides,
+                               const gmds_cavity_side *sides, gmds_id *ids);
+#endif
+
+/* ---- the whole mesh
+
+ * Verifies every stored relation against all others. GMDS_OK; GMDS_ERR_INVARIANT (`error` names the first violation);
+ * GMDS_ERR_MEMORY. Working space comes from `memory`. O(mesh). */
+static inline gmds_status check(const mesh *m, gmds_memory *memory, gmds_error *error);
+
+/* Fills an empty mesh from a soup: its points become nodes in their order, its faces faces; edges are added where the
+ * model can hold them. GMDS_OK or any status of add_node, add_edge and add_face (`error` names the cell; the mesh is
+ * empty); GMDS_ERR_UNSUPPORTED for volumes and for a third coordinate that is not 0 in a model of two. */
+static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *error);
+
+/* Writes the nodes and faces into a soup (what it held is freed), renumbered without holes. In models that keep the order
+ * of a face's nodes, or hold triangles only. GMDS_OK or GMDS_ERR_MEMORY (the soup is unchanged). O(mesh). */
+#if GMDS_ORDERED_2_0 || (GMDS__CAN_2_0 && GMDS__SIMPLICIAL)
+static inline gmds_status to_soup(const mesh *m, gmds_soup *soup);
+#endif
+
+/* The checksum of the faces (checksum.h). GMDS_OK or GMDS_ERR_MEMORY. O(mesh). */
+#if GMDS__CAN_2_0
+static inline gmds_status checksum(const mesh *m, gmds_memory *memory, uint64_t *sum);
+#endif

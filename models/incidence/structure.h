@@ -1,0 +1,223 @@
+/* The structure of a mesh: one column for each stored relation, nothing for the others; its life and its growth. */
+
+/* Lists of the stored relations, by the way they are stored. X(i, j) for sets, X(i, j, sides) for rows of faces. */
+#if GMDS__S_0_0
+#  define GMDS__IF_0_0(x) x
+#else
+#  define GMDS__IF_0_0(x)
+#endif
+#if GMDS__S_0_1
+#  define GMDS__IF_0_1(x) x
+#else
+#  define GMDS__IF_0_1(x)
+#endif
+#if GMDS__S_0_2
+#  define GMDS__IF_0_2(x) x
+#else
+#  define GMDS__IF_0_2(x)
+#endif
+#if GMDS__S_1_0
+#  define GMDS__IF_1_0(x) x
+#else
+#  define GMDS__IF_1_0(x)
+#endif
+#if GMDS__S_1_1
+#  define GMDS__IF_1_1(x) x
+#else
+#  define GMDS__IF_1_1(x)
+#endif
+#if GMDS__S_1_2
+#  define GMDS__IF_1_2(x) x
+#else
+#  define GMDS__IF_1_2(x)
+#endif
+#if GMDS__S_2_0
+#  define GMDS__IF_2_0(x) x
+#else
+#  define GMDS__IF_2_0(x)
+#endif
+#if GMDS__S_2_1
+#  define GMDS__IF_2_1(x) x
+#else
+#  define GMDS__IF_2_1(x)
+#endif
+#if GMDS__S_2_2
+#  define GMDS__IF_2_2(x) x
+#else
+#  define GMDS__IF_2_2(x)
+#endif
+#define GMDS__EACH_SET(X)                                                                                              \
+  GMDS__IF_0_0(X(0, 0)) GMDS__IF_0_1(X(0, 1)) GMDS__IF_0_2(X(0, 2)) GMDS__IF_1_1(X(1, 1)) GMDS__IF_1_2(X(1, 2))
+#define GMDS__EACH_OF_FACES(X) GMDS__IF_2_0(X(2, 0)) GMDS__IF_2_1(X(2, 1)) GMDS__IF_2_2(X(2, 2))
+#if GMDS__INLINE
+#  define GMDS__EACH_INLINE(X) GMDS__IF_1_0(X(1, 0)) GMDS__EACH_OF_FACES(X)
+#  define GMDS__EACH_ORDERED(X)
+#else
+#  define GMDS__EACH_INLINE(X) GMDS__IF_1_0(X(1, 0))
+#  define GMDS__EACH_ORDERED(X) GMDS__EACH_OF_FACES(X)
+#endif
+#define GMDS__EACH_POOLED(X) GMDS__EACH_SET(X) GMDS__EACH_ORDERED(X)
+#define GMDS__ARITY_1 2
+#define GMDS__ARITY_2 GMDS__SIDES
+
+#define GMDS__ROWS_FIELD(i, j) gmds_rows r_##i##_##j;
+#define GMDS__INLINE_FIELD(i, j) gmds_column r_##i##_##j;
+
+struct mesh {
+  gmds_memory memory;      /* counts everything that the mesh holds; do not move the structure while it is in use */
+  gmds_cells cells[3];     /* nodes, edges, faces */
+  double *points;          /* GMDS__DIM coordinates a node */
+  size_t points_capacity;  /* in nodes */
+  GMDS__EACH_POOLED(GMDS__ROWS_FIELD)
+  GMDS__EACH_INLINE(GMDS__INLINE_FIELD)
+  gmds_ids plan, found;    /* scratch space of operations that change the mesh */
+  gmds_csr borrowed[3][3]; /* relations lent to queries of the whole mesh in place of traversals; empty otherwise */
+};
+#undef GMDS__ROWS_FIELD
+#undef GMDS__INLINE_FIELD
+
+static inline void mesh_init(mesh *m, const gmds_allocator *allocator)
+{
+  memset(m, 0, sizeof *m);
+  gmds_memory_init(&m->memory, allocator);
+  size_t limit = gmds_link_check == GMDS_ID_BITS ? GMDS_NONE : 0;
+  for (int i = 0; i < 3; i++)
+    gmds_cells_init(&m->cells[i], &m->memory, limit);
+#if GMDS__S_2_2
+  m->cells[2].limit = GMDS_NONE / 4; /* an entry may carry a side, and high values mark entries in passing */
+#endif
+#define GMDS__INIT_SET(i, j) gmds_rows_init(&m->r_##i##_##j, 0);
+#define GMDS__INIT_ORDERED(i, j) gmds_rows_init(&m->r_##i##_##j, 1);
+  GMDS__EACH_SET(GMDS__INIT_SET)
+  GMDS__EACH_ORDERED(GMDS__INIT_ORDERED)
+#undef GMDS__INIT_SET
+#undef GMDS__INIT_ORDERED
+  gmds_ids_init(&m->plan, &m->memory);
+  gmds_ids_init(&m->found, &m->memory);
+}
+
+static inline void mesh_clear(mesh *m)
+{
+#define GMDS__CLEAR_ROWS(i, j) gmds_rows_clear(&m->r_##i##_##j, &m->memory);
+#define GMDS__CLEAR_INLINE(i, j) gmds_column_clear(&m->r_##i##_##j, &m->memory);
+  GMDS__EACH_POOLED(GMDS__CLEAR_ROWS)
+  GMDS__EACH_INLINE(GMDS__CLEAR_INLINE)
+#undef GMDS__CLEAR_ROWS
+#undef GMDS__CLEAR_INLINE
+  gmds_release(&m->memory, m->points, m->points_capacity, GMDS__DIM * sizeof(double));
+  m->points = NULL;
+  m->points_capacity = 0;
+  for (int i = 0; i < 3; i++)
+    gmds_cells_clear(&m->cells[i]);
+  gmds_ids_clear(&m->plan);
+  gmds_ids_clear(&m->found);
+}
+
+/* Gives every column of the i-cells room for exactly `capacity` cells. Each column knows its own room: after a failure
+ * some have more than the count says, which is no harm. */
+static inline gmds_status resize_columns(mesh *m, int i, size_t capacity)
+{
+  if (capacity == m->cells[i].capacity)
+    return GMDS_OK;
+  if (capacity > m->cells[i].limit)
+    return GMDS_ERR_TOO_MANY;
+  if (i == 0) {
+    void *points = m->points;
+    if (!gmds_resize(&m->memory, &points, m->points_capacity, capacity, GMDS__DIM * sizeof(double)))
+      return GMDS_ERR_MEMORY;
+    m->points = points;
+    m->points_capacity = capacity;
+  }
+#define GMDS__RESIZE_ROWS(a, b)                                                                                        \
+  if (i == a)                                                                                                          \
+    GMDS_TRY(gmds_rows_resize(&m->r_##a##_##b, &m->memory, capacity));
+#define GMDS__RESIZE_INLINE(a, b)                                                                                      \
+  if (i == a)                                                                                                          \
+    GMDS_TRY(gmds_column_resize(&m->r_##a##_##b, &m->memory, GMDS__ARITY_##a * capacity));
+  GMDS__EACH_POOLED(GMDS__RESIZE_ROWS)
+  GMDS__EACH_INLINE(GMDS__RESIZE_INLINE)
+#undef GMDS__RESIZE_ROWS
+#undef GMDS__RESIZE_INLINE
+  return gmds_cells_resize(&m->cells[i], capacity);
+}
+
+static inline gmds_status grow(mesh *m, int i, size_t more)
+{
+  return resize_columns(m, i, gmds_cells_needed(&m->cells[i], more));
+}
+
+static inline gmds_status reserve(mesh *m, size_t nodes, size_t edges, size_t faces)
+{
+  const size_t wanted[3] = {nodes, GMDS__K_1 ? edges : 0, faces};
+  for (int i = 0; i < 3; i++)
+    if (wanted[i] > m->cells[i].capacity)
+      GMDS_TRY(resize_columns(m, i, wanted[i]));
+  return GMDS_OK;
+}
+
+static inline gmds_status trim(mesh *m)
+{
+  gmds_ids_clear(&m->plan);
+  gmds_ids_clear(&m->found);
+  for (int i = 0; i < 3; i++)
+    GMDS_TRY(resize_columns(m, i, m->cells[i].end));
+#define GMDS__TRIM_ROWS(i, j) GMDS_TRY(gmds_rows_trim(&m->r_##i##_##j, &m->memory));
+  GMDS__EACH_POOLED(GMDS__TRIM_ROWS)
+#undef GMDS__TRIM_ROWS
+  return GMDS_OK;
+}
+
+static inline size_t count_0(const mesh *m)
+{
+  return m->cells[0].count;
+}
+
+static inline size_t count_1(const mesh *m)
+{
+  return m->cells[1].count;
+}
+
+static inline size_t count_2(const mesh *m)
+{
+  return m->cells[2].count;
+}
+
+static inline int has_0(const mesh *m, gmds_id v)
+{
+  return gmds_cells_has(&m->cells[0], v);
+}
+
+static inline int has_1(const mesh *m, gmds_id e)
+{
+  return gmds_cells_has(&m->cells[1], e);
+}
+
+static inline int has_2(const mesh *m, gmds_id f)
+{
+  return gmds_cells_has(&m->cells[2], f);
+}
+
+static inline gmds_id next_0(const mesh *m, gmds_id v)
+{
+  return gmds_cells_next(&m->cells[0], v);
+}
+
+static inline gmds_id next_1(const mesh *m, gmds_id e)
+{
+  return gmds_cells_next(&m->cells[1], e);
+}
+
+static inline gmds_id next_2(const mesh *m, gmds_id f)
+{
+  return gmds_cells_next(&m->cells[2], f);
+}
+
+static inline const double *point(const mesh *m, gmds_id v)
+{
+  return m->points + GMDS__DIM * (size_t)v;
+}
+
+static inline void set_point(mesh *m, gmds_id v, const double *x)
+{
+  memcpy(m->points + GMDS__DIM * (size_t)v, x, GMDS__DIM * sizeof *x);
+}

@@ -1,0 +1,186 @@
+/* Reads GMDS_MODEL and GMDS_FACES into macros that mean the same after the letters are gone:
+ *   GMDS__K_i       1 when i-cells are kept            GMDS__S_i_j   1 when i2j is stored
+ *   GMDS__MASK      the mask as one integer            GMDS__DIM     coordinates a node
+ *   GMDS__SIMPLICIAL  1 when all faces are triangles   GMDS__SIDES   sides of a face, 0 where faces differ
+ * and refuses masks that contradict themselves. */
+#include <gmds/models/letters_on.h>
+
+/* The compiler reads the mask too: a misspelt relation, 0 to the preprocessor, is an undeclared name to it. */
+enum { GMDS_FN(model) = (GMDS_MODEL) };
+
+#if (GMDS_MODEL) & N
+#  define GMDS__K_0 1
+#else
+#  define GMDS__K_0 0
+#endif
+#if (GMDS_MODEL) & E
+#  define GMDS__K_1 1
+#else
+#  define GMDS__K_1 0
+#endif
+#if (GMDS_MODEL) & F
+#  define GMDS__K_2 1
+#else
+#  define GMDS__K_2 0
+#endif
+#if (GMDS_MODEL) & R
+#  define GMDS__K_3 1
+#else
+#  define GMDS__K_3 0
+#endif
+#if (GMDS_MODEL) & N2N
+#  define GMDS__S_0_0 1
+#else
+#  define GMDS__S_0_0 0
+#endif
+#if (GMDS_MODEL) & N2E
+#  define GMDS__S_0_1 1
+#else
+#  define GMDS__S_0_1 0
+#endif
+#if (GMDS_MODEL) & N2F
+#  define GMDS__S_0_2 1
+#else
+#  define GMDS__S_0_2 0
+#endif
+#if (GMDS_MODEL) & N2R
+#  define GMDS__S_0_3 1
+#else
+#  define GMDS__S_0_3 0
+#endif
+#if (GMDS_MODEL) & E2N
+#  define GMDS__S_1_0 1
+#else
+#  define GMDS__S_1_0 0
+#endif
+#if (GMDS_MODEL) & E2E
+#  define GMDS__S_1_1 1
+#else
+#  define GMDS__S_1_1 0
+#endif
+#if (GMDS_MODEL) & E2F
+#  define GMDS__S_1_2 1
+#else
+#  define GMDS__S_1_2 0
+#endif
+#if (GMDS_MODEL) & E2R
+#  define GMDS__S_1_3 1
+#else
+#  define GMDS__S_1_3 0
+#endif
+#if (GMDS_MODEL) & F2N
+#  define GMDS__S_2_0 1
+#else
+#  define GMDS__S_2_0 0
+#endif
+#if (GMDS_MODEL) & F2E
+#  define GMDS__S_2_1 1
+#else
+#  define GMDS__S_2_1 0
+#endif
+#if (GMDS_MODEL) & F2F
+#  define GMDS__S_2_2 1
+#else
+#  define GMDS__S_2_2 0
+#endif
+#if (GMDS_MODEL) & F2R
+#  define GMDS__S_2_3 1
+#else
+#  define GMDS__S_2_3 0
+#endif
+#if (GMDS_MODEL) & R2N
+#  define GMDS__S_3_0 1
+#else
+#  define GMDS__S_3_0 0
+#endif
+#if (GMDS_MODEL) & R2E
+#  define GMDS__S_3_1 1
+#else
+#  define GMDS__S_3_1 0
+#endif
+#if (GMDS_MODEL) & R2F
+#  define GMDS__S_3_2 1
+#else
+#  define GMDS__S_3_2 0
+#endif
+#if (GMDS_MODEL) & R2R
+#  define GMDS__S_3_3 1
+#else
+#  define GMDS__S_3_3 0
+#endif
+#if (GMDS_MODEL) & DIM2 && (GMDS_MODEL) & DIM3
+#  error "gmds: GMDS_MODEL has both DIM2 and DIM3: a node has two coordinates or three"
+#elif (GMDS_MODEL) & DIM3
+#  define GMDS__DIM 3
+#else
+#  define GMDS__DIM 2
+#endif
+
+#ifndef GMDS_FACES
+#  define GMDS_FACES (TRIANGLE | QUADRILATERAL | POLYGON)
+#endif
+enum { GMDS_FN(faces) = (GMDS_FACES) };
+#if (GMDS_FACES) == TRIANGLE
+#  define GMDS__SIDES 3
+#  define GMDS__SIMPLICIAL 1
+#elif (GMDS_FACES) == QUADRILATERAL
+#  define GMDS__SIDES 4
+#  define GMDS__SIMPLICIAL 0
+#elif (GMDS_FACES) > 0 && (GMDS_FACES) < 8
+#  define GMDS__SIDES 0
+#  define GMDS__SIMPLICIAL 0
+#else
+#  error "gmds: GMDS_FACES must be TRIANGLE, QUADRILATERAL, POLYGON, or several with | between them"
+#endif
+#if (GMDS_FACES) & TRIANGLE
+#  define GMDS__TRIANGLES 1
+#else
+#  define GMDS__TRIANGLES 0
+#endif
+#if (GMDS_FACES) & QUADRILATERAL
+#  define GMDS__QUADRILATERALS 1
+#else
+#  define GMDS__QUADRILATERALS 0
+#endif
+#if (GMDS_FACES) & POLYGON
+#  define GMDS__POLYGONS 1
+#else
+#  define GMDS__POLYGONS 0
+#endif
+
+#if (GMDS_MODEL) >> 22
+#  error "gmds: GMDS_MODEL holds something that is neither a cell, a relation, DIM2 nor DIM3"
+#endif
+#include <gmds/models/letters_off.h>
+
+#if !GMDS__K_0 || !GMDS__K_2
+#  error "gmds: a model keeps nodes and faces: add N|F to GMDS_MODEL"
+#endif
+#if !GMDS__K_1 && (GMDS__S_0_1 || GMDS__S_1_0 || GMDS__S_1_1 || GMDS__S_1_2 || GMDS__S_1_3 || GMDS__S_2_1 || GMDS__S_3_1)
+#  error "gmds: GMDS_MODEL stores a relation of edges but keeps none: add E"
+#endif
+#if GMDS__K_3 || GMDS__S_0_3 || GMDS__S_1_3 || GMDS__S_2_3 || GMDS__S_3_0 || GMDS__S_3_1 || GMDS__S_3_2 || GMDS__S_3_3
+#  error "gmds: models of this version end at faces: take R and its relations out of GMDS_MODEL"
+#endif
+
+#if GMDS__S_1_1 && !GMDS__S_0_1 && !GMDS__S_1_0
+#  error "gmds: E2E can be kept true only where edges and nodes are linked: add E2N or N2E to GMDS_MODEL"
+#endif
+
+#define GMDS__MASK \
+  (GMDS__K_0 * GMDS_CELL_BIT(0) | GMDS__K_1 * GMDS_CELL_BIT(1) | GMDS__K_2 * GMDS_CELL_BIT(2) | \
+   GMDS__K_3 * GMDS_CELL_BIT(3) | GMDS__S_0_0 * GMDS_RELATION_BIT(0, 0) | GMDS__S_0_1 * GMDS_RELATION_BIT(0, 1) | \
+   GMDS__S_0_2 * GMDS_RELATION_BIT(0, 2) | GMDS__S_0_3 * GMDS_RELATION_BIT(0, 3) | GMDS__S_1_0 * GMDS_RELATION_BIT(1, 0) | \
+   GMDS__S_1_1 * GMDS_RELATION_BIT(1, 1) | GMDS__S_1_2 * GMDS_RELATION_BIT(1, 2) | GMDS__S_1_3 * GMDS_RELATION_BIT(1, 3) | \
+   GMDS__S_2_0 * GMDS_RELATION_BIT(2, 0) | GMDS__S_2_1 * GMDS_RELATION_BIT(2, 1) | GMDS__S_2_2 * GMDS_RELATION_BIT(2, 2) | \
+   GMDS__S_2_3 * GMDS_RELATION_BIT(2, 3) | GMDS__S_3_0 * GMDS_RELATION_BIT(3, 0) | GMDS__S_3_1 * GMDS_RELATION_BIT(3, 1) | \
+   GMDS__S_3_2 * GMDS_RELATION_BIT(3, 2) | GMDS__S_3_3 * GMDS_RELATION_BIT(3, 3))
+
+/* How a relation of faces is stored: inline when all faces have the same number of sides. */
+#if GMDS__SIDES
+#  define GMDS__INLINE 1
+#else
+#  define GMDS__INLINE 0
+#endif
+/* F2F of inline faces that keep their nodes also remembers the side one arrives by: 4 * face + side. */
+#define GMDS__CODED (GMDS__INLINE && GMDS__S_2_0 && GMDS__S_2_2)

@@ -1,0 +1,72 @@
+/* The path of each query of the open model, and what the preprocessor can say about it:
+ *   GMDS__PATH_i_j   the code of choice.h; 0 where the model cannot answer
+ *   GMDS__ROW_i_j    the row of the table (tables.h) that is taken
+ *   GMDS__EXACT_i_j  1 when the answer is exact on every face that the model may hold. On simplices every row is; beyond
+ *                    them a multiplicity of nodes does not make a side, and only faces that keep their nodes in order
+ *                    (F2N) decide, or edges that faces keep (F2E)
+ *   GMDS__CAN_i_j    path and exact: get_adj_i_j exists */
+#define GMDS__PATH_0_0 GMDS_CHOOSE(GMDS_PATHS_0_0)
+#define GMDS__ROW_0_0 (GMDS__PATH_0_0 / 16)
+#define GMDS__PATH_0_1 GMDS_CHOOSE(GMDS_PATHS_0_1)
+#define GMDS__ROW_0_1 (GMDS__PATH_0_1 / 16)
+#define GMDS__PATH_0_2 GMDS_CHOOSE(GMDS_PATHS_0_2)
+#define GMDS__ROW_0_2 (GMDS__PATH_0_2 / 16)
+#define GMDS__PATH_1_0 GMDS_CHOOSE(GMDS_PATHS_1_0)
+#define GMDS__ROW_1_0 (GMDS__PATH_1_0 / 16)
+#define GMDS__PATH_1_1 GMDS_CHOOSE(GMDS_PATHS_1_1)
+#define GMDS__ROW_1_1 (GMDS__PATH_1_1 / 16)
+#define GMDS__PATH_1_2 GMDS_CHOOSE(GMDS_PATHS_1_2)
+#define GMDS__ROW_1_2 (GMDS__PATH_1_2 / 16)
+#define GMDS__PATH_2_0 GMDS_CHOOSE(GMDS_PATHS_2_0)
+#define GMDS__ROW_2_0 (GMDS__PATH_2_0 / 16)
+#define GMDS__PATH_2_1 GMDS_CHOOSE(GMDS_PATHS_2_1)
+#define GMDS__ROW_2_1 (GMDS__PATH_2_1 / 16)
+#define GMDS__PATH_2_2 GMDS_CHOOSE(GMDS_PATHS_2_2)
+#define GMDS__ROW_2_2 (GMDS__PATH_2_2 / 16)
+
+#define GMDS__KNOWS_SIDES (GMDS__SIMPLICIAL || GMDS__S_2_0)
+#define GMDS__EXACT_0_0 (GMDS__KNOWS_SIDES || GMDS__ROW_0_0 != 3)
+#define GMDS__EXACT_0_1 1
+#define GMDS__EXACT_0_2 1
+#define GMDS__EXACT_1_0 1
+#define GMDS__EXACT_1_1 1
+#define GMDS__EXACT_1_2 (GMDS__KNOWS_SIDES || GMDS__ROW_1_2 != 2)
+#define GMDS__EXACT_2_0 1
+#define GMDS__EXACT_2_1 (GMDS__KNOWS_SIDES || GMDS__ROW_2_1 != 2)
+#define GMDS__EXACT_2_2 (GMDS__KNOWS_SIDES || (GMDS__ROW_2_2 != 3 && GMDS__ROW_2_2 != 5 && !(GMDS__ROW_2_2 == 4 && !GMDS__S_2_1)))
+#define GMDS__CAN_0_0 (GMDS__PATH_0_0 != 0 && GMDS__EXACT_0_0)
+#define GMDS__CAN_0_1 (GMDS__PATH_0_1 != 0 && GMDS__EXACT_0_1)
+#define GMDS__CAN_0_2 (GMDS__PATH_0_2 != 0 && GMDS__EXACT_0_2)
+#define GMDS__CAN_1_0 (GMDS__PATH_1_0 != 0 && GMDS__EXACT_1_0)
+#define GMDS__CAN_1_1 (GMDS__PATH_1_1 != 0 && GMDS__EXACT_1_1)
+#define GMDS__CAN_1_2 (GMDS__PATH_1_2 != 0 && GMDS__EXACT_1_2)
+#define GMDS__CAN_2_0 (GMDS__PATH_2_0 != 0 && GMDS__EXACT_2_0)
+#define GMDS__CAN_2_1 (GMDS__PATH_2_1 != 0 && GMDS__EXACT_2_1)
+#define GMDS__CAN_2_2 (GMDS__PATH_2_2 != 0 && GMDS__EXACT_2_2)
+
+/* The sentence of a query that does not exist, made of the rows of the tables. */
+#define GMDS__LETTER_0 "N"
+#define GMDS__LETTER_1 "E"
+#define GMDS__LETTER_2 "F"
+#define GMDS__LETTER_3 "R"
+#define GMDS__W1(id, i, j) GMDS__LETTER_##i "2" GMDS__LETTER_##j
+#define GMDS__W2(id, t, i, k, j, n) ", or " GMDS__LETTER_##i "2" GMDS__LETTER_##k " with " GMDS__LETTER_##k "2" GMDS__LETTER_##j
+#define GMDS__W3(id, t, i, k, l, j, o, n)
+#define GMDS__W4(id, t, i, k, l, m, j, o, p, n)
+#define GMDS__SORRY(i, j, PATHS)                                                                                       \
+  GMDS_UNAVAILABLE("gmds: model '" GMDS_TEXT(GMDS_PREFIX) "' cannot answer " #i "->" #j ": add "                       \
+                   PATHS(GMDS__W1, GMDS__W2, GMDS__W3, GMDS__W4) " to GMDS_MODEL")
+#define GMDS__UNDECIDED(i, j)                                                                                          \
+  GMDS_UNAVAILABLE("gmds: model '" GMDS_TEXT(GMDS_PREFIX) "' cannot decide " #i "->" #j                                \
+                   " on faces that are no triangles: add F2N to GMDS_MODEL, or define GMDS_FACES TRIANGLE")
+
+/* What an algorithm may ask of the open model at compile time:
+ *   GMDS_CAN(i, j)     get_adj_i_j exists
+ *   GMDS_STORED(i, j)  it is a stored relation
+ *   GMDS_ORDERED_2_0   get_adj_2_0 gives the nodes of a face in their order around it
+ *   GMDS_ACROSS        across() gives the face beyond side k of a face, in time that does not grow with the mesh */
+#define GMDS_CAN(i, j) GMDS__CAN_##i##_##j
+#define GMDS_STORED(i, j) GMDS__S_##i##_##j
+#define GMDS_ORDERED_2_0 (GMDS__S_2_0 || (GMDS__S_2_1 && GMDS__S_1_0))
+#define GMDS_ACROSS                                                                                                    \
+  (GMDS_ORDERED_2_0 && (GMDS__S_2_2 || (GMDS__S_2_1 && GMDS__S_1_2) || (GMDS__S_2_0 && GMDS__S_0_2)))
