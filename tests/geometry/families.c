@@ -47,7 +47,7 @@ static void uniform(uint64_t *seed, double p[8])
 
 static void square_grid(uint64_t *seed, double p[8])
 {
-  double shift = integer_in(seed, -1000000, 1000000), scale = ldexp(1, (int)integer_in(seed, -200, 200));
+  double shift = integer_in(seed, -1000000, 1000000), scale = ldexp(1, (int)integer_in(seed, -320, 280));
   int side = (int)integer_in(seed, 1, 8);
   for (int i = 0; i < 8; i++)
     p[i] = (shift + integer_in(seed, 0, side)) * scale;
@@ -61,10 +61,11 @@ static void decimal_grid(uint64_t *seed, double p[8])
     p[i] = square[i] / 1000;
 }
 
-static void fine_lattice(uint64_t *seed, double p[8])
+static void lattice_circle(uint64_t *seed, double p[8])
 {
-  double shift = integer_in(seed, 0, 1 << 30), scale = ldexp(1, (int)integer_in(seed, -20, 20));
-  double x = integer_in(seed, 1, 1 << 29), y = integer_in(seed, 1, 1 << 29);
+  int size = 1 << random_below(seed, 30);
+  double shift = integer_in(seed, 0, 1 << 30), scale = ldexp(1, (int)integer_in(seed, -300, 260));
+  double x = integer_in(seed, 1, size), y = integer_in(seed, 1, size);
   double off = integer_in(seed, 0, 3) == 0 ? integer_in(seed, -1, 1) : 0;
   /* Eight lattice points lie on the circle through (x, y) about the origin. */
   for (int i = 0; i < 4; i++) {
@@ -167,6 +168,16 @@ static void scaled(uint64_t *seed, double p[8], int exponent)
 static void scaled_down(uint64_t *seed, double p[8])
 {
   scaled(seed, p, (int)integer_in(seed, -1074, -200));
+}
+
+static void underflow_ties(uint64_t *seed, double p[8])
+{
+  double x = (integer_in(seed, 0, 3) + 0.5) * 0x1p-537, y = 0x1p-537;
+  const double about[] = {x, x, y, y, 0, 0, y, x};
+  for (int i = 0; i < 8; i++)
+    p[i] = moved(about[i], i == 4 || i == 5 ? 0 : (int)integer_in(seed, -1, 1));
+  p[4] = (2 * random_unit(seed) - 1) * x * 0x1p-53;
+  p[5] = (2 * random_unit(seed) - 1) * x * 0x1p-53;
 }
 
 static void scaled_up(uint64_t *seed, double p[8])

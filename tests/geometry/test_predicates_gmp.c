@@ -230,7 +230,7 @@ static int exact_perturbed(oracle *o, const double *p)
 
 START_TEST(the_perturbation_follows_the_rule_of_cgal)
 {
-  static const int families[] = {family_square_grid, family_mirrored,   family_fine_lattice, family_decimal_grid,
+  static const int families[] = {family_square_grid, family_mirrored,   family_lattice_circle, family_decimal_grid,
                                  family_on_a_circle, family_subnormals, family_any_exponents};
   oracle o;
   oracle_init(&o);
