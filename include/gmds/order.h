@@ -10,8 +10,8 @@ extern "C" {
 #endif
 
 /* Orders n points for insertion.
- *   memory     where temporary arrays come from: at most 24 bytes a point, all freed again
- *   dim        2 (3 comes with volumes)
+ *   memory     where temporary arrays come from: 16 bytes a point (32 where gmds_id has 64 bits), all freed again
+ *   dim        2 or 3
  *   n, xy      n × dim coordinates, row major, all finite
  *   order      n entries: the indices of the distinct points in insertion order; of equal points (-0 equals +0) the
  *              lowest index stands for all. Only the first *distinct entries are set
@@ -19,7 +19,9 @@ extern "C" {
  *   distinct   how many distinct points there are
  * GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_COORDINATE (a NaN or infinity: `error` names the first such point);
  * GMDS_ERR_TOO_MANY (n does not fit gmds_id); GMDS_ERR_ARGUMENT (dim). On failure nothing is written.
- * The order depends on the coordinates and their positions alone. O(n log n) worst case, O(n) for spread points. */
+ * The order depends on the coordinates and their positions alone. O(n) for spread points; points of one cell of the
+ * grid that the curve runs through are ordered again within their own box, which for the worst inputs, coordinates of
+ * all magnitudes, repeats the work some 130 (in 3D 220) times. Uses 30 kB of stack, and as much again in recursion. */
 gmds_status gmds_order_points(gmds_memory *memory, int dim, size_t n, const double *xy, gmds_error *error,
                               gmds_id *order, gmds_id *same_as, size_t *distinct);
 
