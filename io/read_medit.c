@@ -83,6 +83,25 @@ static gmds_status skip_numbers(gmds_text *text, size_t n, const char *what)
   return GMDS_OK;
 }
 
+/* `x y [z] reference`. In a plane, gmsh writes a third coordinate for some points; the line tells. */
+static gmds_status read_vertex(gmds_text *text, size_t point, int dim, double x[3])
+{
+  gmds_token last, more;
+  double ignored;
+  x[2] = 0;
+  for (int k = 0; k < dim; k++)
+    GMDS_TRY(gmds_text_next_real(text, point, &x[k]));
+  gmds_text_next(text, &last);
+  if (dim == 2 && gmds_text_next_on_line(text, &more)) {
+    GMDS_TRY(gmds_text_real(text, last, point, &x[2]));
+    GMDS_TRY(gmds_text_end_of_line(text));
+    last = more;
+  }
+  if (gmds_parse_double(last.at, last.n, &ignored) == GMDS_NUMBER_NONE)
+    return gmds_text_expected(text, "a reference number", last);
+  return GMDS_OK;
+}
+
 static gmds_status read_vertices(gmds_text *text, gmds_stage *stage, int dim)
 {
   size_t n;
@@ -91,10 +110,8 @@ static gmds_status read_vertices(gmds_text *text, gmds_stage *stage, int dim)
   GMDS_TRY(gmds_text_next_count(text, (size_t)dim * 2 + 2, "Vertices", &n));
   GMDS_TRY(gmds_stage_reserve(stage, text, n, 0, 0));
   for (size_t p = 0; p < n; p++) {
-    double x[3] = {0};
-    for (int k = 0; k < dim; k++)
-      GMDS_TRY(gmds_text_next_real(text, p, &x[k]));
-    GMDS_TRY(skip_numbers(text, 1, "a reference number"));
+    double x[3];
+    GMDS_TRY(read_vertex(text, p, dim, x));
     GMDS_TRY(gmds_stage_point(stage, text, x));
   }
   return GMDS_OK;

@@ -22,11 +22,19 @@ static gmds_status said(const gmds_text *text, gmds_status status)
   return status == GMDS_OK ? GMDS_OK : gmds_text_failed(text, status);
 }
 
+/* Exactly what is needed at first; in steps where a file adds section after section, which would be quadratic. */
+static size_t room(size_t capacity, size_t needed)
+{
+  return capacity && needed > capacity ? gmds_grown(capacity, needed) : needed;
+}
+
 gmds_status gmds_stage_reserve(gmds_stage *stage, const gmds_text *text, size_t points, size_t cells, size_t corners)
 {
+  const gmds_soup *soup = &stage->soup;
   if (points > GMDS_NONE || cells > GMDS_NONE)
     return gmds_text_failed(text, GMDS_ERR_TOO_MANY);
-  return said(text, gmds_soup_reserve(&stage->soup, points, cells, corners));
+  return said(text, gmds_soup_reserve(&stage->soup, room(soup->point_capacity, points), room(soup->cell_capacity, cells),
+                                      room(soup->corner_capacity, corners)));
 }
 
 gmds_status gmds_stage_point(gmds_stage *stage, const gmds_text *text, const double x[3])
