@@ -33,8 +33,8 @@ gmds_status gmds_stage_reserve(gmds_stage *stage, const gmds_text *text, size_t 
   const gmds_soup *soup = &stage->soup;
   if (points > GMDS_NONE || cells > GMDS_NONE)
     return gmds_text_failed(text, GMDS_ERR_TOO_MANY);
-  return said(text, gmds_soup_reserve(&stage->soup, room(soup->point_capacity, points), room(soup->cell_capacity, cells),
-                                      room(soup->corner_capacity, corners)));
+  return said(text, gmds_soup_reserve(&stage->soup, room(soup->point_capacity, points),
+                                      room(soup->cell_capacity, cells), room(soup->corner_capacity, corners)));
 }
 
 gmds_status gmds_stage_point(gmds_stage *stage, const gmds_text *text, const double x[3])
