@@ -175,7 +175,7 @@ static gmds_status add_cells(gmds_vtk *vtk, gmds_vtk_cells *cells, gmds_vtk_bloc
     GMDS_TRY(add_cell(vtk, &cells->corners.text, type));
   }
   if (cells->corners.left)
-    return gmds_text_fail(&cells->corners.text, GMDS_ERR_FORMAT, -1, "%zu numbers are left behind the last cell",
+    return gmds_text_fail(&cells->corners.text, GMDS_ERR_FORMAT, -1, "numbers left behind the last cell: %zu",
                           cells->corners.left);
   return GMDS_OK;
 }

@@ -103,6 +103,13 @@ gmds_status gmds_vtk_skip(gmds_vtk *vtk, gmds_vtk_type type, uint64_t n, const c
   return gmds_vtk_pass(vtk, &block);
 }
 
+/* A sentence names the byte where the word at fault begins. */
+static const gmds_text *at_last_word(gmds_vtk_block *block)
+{
+  block->text.at -= block->type.bytes;
+  return &block->text;
+}
+
 /* The next big-endian word of the block, its sign extended; there is one, as the block was bounded. */
 static uint64_t next_word(gmds_vtk_block *block)
 {
@@ -128,7 +135,7 @@ gmds_status gmds_vtk_whole(gmds_vtk_block *block, const char *what, uint64_t *x)
     return gmds_text_next_whole(&block->text, what, x);
   uint64_t word = next_word(block);
   if (block->type.kind == GMDS_VTK_SIGNED && word >> 63)
-    return gmds_text_fail(&block->text, GMDS_ERR_FORMAT, -1, "expected %s, found -%llu", what,
+    return gmds_text_fail(at_last_word(block), GMDS_ERR_FORMAT, -1, "expected %s, found -%llu", what,
                           (unsigned long long)(0 - word));
   *x = word;
   return GMDS_OK;
@@ -143,7 +150,7 @@ gmds_status gmds_vtk_index(gmds_vtk_block *block, size_t n, gmds_id *id)
   uint64_t x = 0;
   GMDS_TRY(gmds_vtk_whole(block, "an index of a point", &x));
   if (x >= n)
-    return gmds_text_fail(&block->text, GMDS_ERR_FORMAT, -1, "expected an index below %zu, found %llu", n,
+    return gmds_text_fail(at_last_word(block), GMDS_ERR_FORMAT, -1, "expected an index below %zu, found %llu", n,
                           (unsigned long long)x);
   *id = (gmds_id)x;
   return GMDS_OK;
@@ -174,6 +181,6 @@ gmds_status gmds_vtk_real(gmds_vtk_block *block, size_t point, double *x)
   *x = next_real(block);
   if (isfinite(*x))
     return GMDS_OK;
-  return gmds_text_fail(&block->text, GMDS_ERR_COORDINATE, (long long)point,
+  return gmds_text_fail(at_last_word(block), GMDS_ERR_COORDINATE, (long long)point,
                         "a coordinate of point %zu (from 0) is not a finite number: '%g'", point, *x);
 }

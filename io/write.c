@@ -65,8 +65,8 @@ static gmds_status check_content(const char *path, const writer *w, const gmds_s
 {
   for (size_t c = 0; c < soup->n_cells; c++)
     if (!(w->types >> soup->types[c] & 1)) {
-      gmds_fail(error, GMDS_ERR_UNSUPPORTED, "%.200s: cell %zu (from 0) is a %s, which %s cannot hold", path, c,
-                gmds_cell_type_text((gmds_cell_type)soup->types[c]), w->text);
+      gmds_fail(error, GMDS_ERR_UNSUPPORTED, "%.200s: %s cannot hold cell %zu (from 0), whose type is %s", path,
+                w->text, c, gmds_cell_type_text((gmds_cell_type)soup->types[c]));
       if (error)
         error->cell = (long long)c;
       return GMDS_ERR_UNSUPPORTED;
