@@ -10,12 +10,12 @@ extern "C" {
 #endif
 
 /* X(name, extension, text) */
-#define GMDS_FORMAT_LIST(X)                                                                                            \
-  X(GMDS_FORMAT_OFF, ".off", "OFF")                                                                                    \
-  X(GMDS_FORMAT_VTK, ".vtk", "VTK legacy")                                                                             \
-  X(GMDS_FORMAT_MEDIT, ".mesh", "Medit")                                                                               \
-  X(GMDS_FORMAT_NODE, ".node", "Triangle points")                                                                      \
-  X(GMDS_FORMAT_F64, ".f64", "raw little-endian doubles")                                                              \
+#define GMDS_FORMAT_LIST(X)                               \
+  X(GMDS_FORMAT_OFF, ".off", "OFF")                       \
+  X(GMDS_FORMAT_VTK, ".vtk", "VTK legacy")                \
+  X(GMDS_FORMAT_MEDIT, ".mesh", "Medit")                  \
+  X(GMDS_FORMAT_NODE, ".node", "Triangle points")         \
+  X(GMDS_FORMAT_F64, ".f64", "raw little-endian doubles") \
   X(GMDS_FORMAT_TEXT, ".txt", "points as text")
 
 #define GMDS_FORMAT_ENUM_(name, extension, text) name,
@@ -27,21 +27,28 @@ typedef enum gmds_format { GMDS_FORMAT_LIST(GMDS_FORMAT_ENUM_) GMDS_FORMAT_COUNT
 gmds_status gmds_format_of_path(const char *path, gmds_error *error, gmds_format *format);
 
 /* Reads a mesh file, its format taken from the extension (point formats give a soup without cells).
- *   dim        2 or 3: points get that many coordinates; 0: as many as the file has (3 when it has 3 and any third one
- *              is not 0, else 2). From 3 to 2 the third coordinate must be 0 unless the file holds points only, whose
- *              third coordinate is dropped
- * GMDS_OK; GMDS_ERR_OPEN, _READ, _FORMAT, _COORDINATE (NaN or infinity), _UNSUPPORTED, _TOO_MANY, _MEMORY. `error`
- * names file, line (or byte) and what was expected. The soup must be initialised and empty; on failure it stays so. */
+ *   dim        2 or 3: points get that many coordinates; 0: as many as are needed (3 when any third one is not 0 or
+ *              there is a cell of dimension 3, else 2). From 3 to 2 the third coordinate must be 0 and no cell of
+ *              dimension 3, unless the file holds points only, whose third coordinate is dropped
+ * GMDS_OK; GMDS_ERR_OPEN, _READ, _FORMAT, _COORDINATE (NaN or infinity), _UNSUPPORTED, _TOO_MANY, _MEMORY, and
+ * _ARGUMENT (another dim, raw doubles with dim 0, a soup that is not empty). `error` names file, line (or byte) and
+ * what was expected. The soup must be initialised and empty; on failure it stays so. On success soup->dim is what came
+ * out and its arrays have no room to spare. */
 gmds_status gmds_read_soup(const char *path, int dim, gmds_error *error, gmds_soup *soup);
+
+/* The same for the n bytes of a file that is in memory; `name` stands for the file in sentences. */
+gmds_status gmds_read_soup_from_memory(gmds_format format, const char *name, const void *bytes, size_t n, int dim,
+                                       gmds_error *error, gmds_soup *soup);
 
 /* Writes a mesh file, its format taken from the extension, under a temporary name in the same folder first: on failure
  * nothing stays under `path` that was not there before.
- * GMDS_OK; GMDS_ERR_OPEN, _WRITE, _UNSUPPORTED (a cell that the format cannot hold), _MEMORY. */
+ * GMDS_OK; GMDS_ERR_OPEN, _WRITE, _UNSUPPORTED (a cell that the format cannot hold), _COORDINATE (NaN or infinity,
+ * which no reader takes), _MEMORY. Medit lists cells by type, so their order may change; every other order is kept. */
 gmds_status gmds_write_soup(const char *path, const gmds_soup *soup, gmds_error *error);
 
 /* The points that SPEC stands for: `random:N:SEED`, `grid:N` (N points a side), `circle:N` (N points about a circle,
- * rounded to doubles), `clusters:N:SEED`, or the points of a file of any format. dim: 2 or 3. Coordinates are drawn as a
- * 64-bit Mersenne twister and the usual map to [0, 1) give them, so that other programs can make the same points.
+ * rounded to doubles), `clusters:N:SEED`, or the points of a file of any format. dim: 2 or 3. Coordinates are drawn as
+ * a 64-bit Mersenne twister and the usual map to [0, 1) give them, so that other programs can make the same points.
  * Status, error and soup as gmds_read_soup; GMDS_ERR_ARGUMENT for a SPEC of the wrong form. */
 gmds_status gmds_make_points(const char *spec, int dim, gmds_error *error, gmds_soup *soup);
 

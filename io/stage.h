@@ -1,0 +1,39 @@
+/* Where a reader builds aside: a soup in space that becomes the caller's only when the whole file was read. */
+#ifndef GMDS_STAGE_H
+#define GMDS_STAGE_H
+
+#include "text.h"
+#include <gmds/soup.h>
+
+typedef struct gmds_stage {
+  gmds_soup soup;   /* three coordinates a point while the file is read */
+  int dim;          /* what the caller asked for: 2, 3, or 0 for as many as there are */
+  int points_only;  /* cells are not wanted */
+  gmds_ids corners; /* of the cell at hand: a reader's own */
+  gmds_ids sorted;  /* the same, to find a repeated one */
+} gmds_stage;
+
+void gmds_stage_init(gmds_stage *stage, gmds_memory *memory, int dim, int points_only);
+void gmds_stage_clear(gmds_stage *stage);
+
+/* As the calls on a soup, with a sentence on failure. A cell of which two corners are the same is counted and left out.
+ */
+gmds_status gmds_stage_reserve(gmds_stage *stage, const gmds_text *text, size_t points, size_t cells, size_t corners);
+gmds_status gmds_stage_point(gmds_stage *stage, const gmds_text *text, const double x[3]);
+gmds_status gmds_stage_cell(gmds_stage *stage, const gmds_text *text, gmds_cell_type type, size_t n,
+                            const gmds_id *corners);
+
+/* Makes room for n corners in stage->corners, and makes that its length. */
+gmds_status gmds_stage_corners(gmds_stage *stage, const gmds_text *text, size_t n);
+
+/* Gives the points the dimension asked for and moves everything to `soup`, which is empty. */
+gmds_status gmds_stage_commit(gmds_stage *stage, const gmds_text *text, gmds_soup *soup);
+
+/* Moves the content of `from` (which is empty then) to `to` (whose content is dropped). */
+static inline void gmds_soup_move(gmds_soup *to, gmds_soup *from)
+{
+  gmds_soup_clear(to);
+  *to = *from;
+  gmds_soup_init(from, from->memory, from->dim);
+}
+#endif

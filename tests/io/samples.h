@@ -1,0 +1,154 @@
+/* A small valid file of every format, from which tests cut, in which they change bytes, and for which they refuse
+ * memory. */
+#ifndef GMDS_TESTS_SAMPLES_H
+#define GMDS_TESTS_SAMPLES_H
+
+#include "soup_tools.h"
+
+typedef struct sample {
+  const char *text;
+  gmds_format format;
+  int dim;
+  int counted; /* its end can be told: a file that is cut is refused */
+  size_t n;    /* of bytes */
+  char bytes[1200];
+} sample;
+
+#define SAMPLE_OFF                                                                             \
+  "OFF # a square pyramid and a loose polygon\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 .5 1e0\n" \
+  "4 0 3 2 1 255 0 0\n3 0 1 4\n5 0 1 2 3 4 0.5 0.5 0.5 1\n3 1 2 4\n"
+
+#define SAMPLE_MEDIT                                                                                            \
+  "MeshVersionFormatted 2\nDimension 3\nVertices 6\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\n1 0 1 1\n0 1 1 1\n"     \
+  "Corners 2 1 2\nEdges 1\n1 2 7\nTriangles 1\n1 2 3 7\nQuadrilaterals 1\n1 2 5 4 0\nTetrahedra 1\n1 2 3 4 0\n" \
+  "Pyramids 1\n1 2 5 4 3 0\nPrisms 1\n1 2 3 4 5 6 0\nNormals 1 0 0 1\nEnd\n"
+
+#define SAMPLE_VTK                                                                                                    \
+  "# vtk DataFile Version 3.0\na title\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 double\n0 0 0 1 0 0 1 1 0 0 1 0\n" \
+  ".5 .5 1\nCELLS 4 17\n5 0 1 2 3 4\n4 0 1 2 3\n3 0 1 2\n1 4\nCELL_TYPES 4\n14 9\n5\n1\n"
+
+#define SAMPLE_VTK_5                                                                                           \
+  "# vtk DataFile Version 5.1\n\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0 1 1 0 0 1 0\nMETADATA\n" \
+  "INFORMATION 0\n\nPOLYGONS 3 7\nOFFSETS vtktypeint64\n0 4 7\nCONNECTIVITY vtktypeint64\n0 1 2 3 0 2 3\n"     \
+  "POINT_DATA 4\nSCALARS s float\nLOOKUP_TABLE default\n1 2 3 nan\nVECTORS v int\n1 1 1 2 2 2 3 3 3 4 4 4\n"   \
+  "CELL_DATA 2\nFIELD f 2\na 1 2 int\n1 2\nb 2 1 string\none\ntwo\n"
+
+#define SAMPLE_NODE "# points\n4 2 1 1\n1 0 0 .5 1\n2 1 0 .5 1\n3 1 1 .5 0\n4 0 1 .5 0\n"
+#define SAMPLE_TEXT "# x y\n0 0\n1,0\n1 , 1\n\n-0\t1e-310 # the last\n"
+
+typedef struct sample_writer {
+  char *bytes;
+  size_t n;
+} sample_writer;
+
+static inline void put_text(sample_writer *w, const char *text)
+{
+  memcpy(w->bytes + w->n, text, strlen(text));
+  w->n += strlen(text);
+}
+
+static inline void put_big_endian(sample_writer *w, uint64_t x, int bytes)
+{
+  while (bytes-- > 0)
+    w->bytes[w->n++] = (char)(x >> 8 * bytes);
+}
+
+static inline void put_big_double(sample_writer *w, double x)
+{
+  uint64_t bits;
+  memcpy(&bits, &x, sizeof bits);
+  put_big_endian(w, bits, 8);
+}
+
+/* A binary file with what a tetrahedron and a voxel need, and attributes of several kinds behind them. */
+static inline void make_binary_vtk(sample_writer *w)
+{
+  static const unsigned cells[] = {4, 0, 1, 2, 4, 8, 0, 1, 2, 3, 4, 5, 6, 7};
+  put_text(w, "# vtk DataFile Version 4.2\ntitle\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n");
+  for (int p = 0; p < 8; p++)
+    for (int k = 0; k < 3; k++)
+      put_big_double(w, p >> k & 1);
+  put_text(w, "\nCELLS 2 14\n");
+  for (size_t k = 0; k < sizeof cells / sizeof *cells; k++)
+    put_big_endian(w, cells[k], 4);
+  put_text(w, "\nCELL_TYPES 2\n");
+  put_big_endian(w, 10, 4);
+  put_big_endian(w, 11, 4);
+  put_text(w, "\nPOINT_DATA 8\nSCALARS b bit 1\nLOOKUP_TABLE default\n");
+  put_big_endian(w, 0x0a, 1);
+  put_text(w, "\nCELL_DATA 2\nFIELD f 2\nnames 1 2 string\n");
+  put_big_endian(w, 0xc3, 1);
+  put_text(w, "one");
+  put_big_endian(w, 0x8003, 2);
+  put_text(w, "two\nshorts 2 2 short\n");
+  put_big_endian(w, 0x0a0a20200a0a2020u, 8);
+  put_text(w, "\n");
+}
+
+/* The same cells as OFFSETS and CONNECTIVITY, points as float. */
+static inline void make_binary_vtk_5(sample_writer *w)
+{
+  static const unsigned cells[] = {0, 1, 2, 4, 0, 1, 2, 3, 4, 5, 6, 7};
+  put_text(w, "# vtk DataFile Version 5.1\ntitle\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 float\n");
+  for (int p = 0; p < 8; p++)
+    for (int k = 0; k < 3; k++)
+      put_big_endian(w, p >> k & 1 ? 0x3f800000u : 0, 4);
+  put_text(w, "\nCELLS 3 12\nOFFSETS vtktypeint64\n");
+  put_big_endian(w, 0, 8);
+  put_big_endian(w, 4, 8);
+  put_big_endian(w, 12, 8);
+  put_text(w, "\nCONNECTIVITY vtktypeint64\n");
+  for (size_t k = 0; k < sizeof cells / sizeof *cells; k++)
+    put_big_endian(w, cells[k], 8);
+  put_text(w, "\nCELL_TYPES 2\n");
+  put_big_endian(w, 10, 4);
+  put_big_endian(w, 11, 4);
+}
+
+static inline void make_raw(sample_writer *w)
+{
+  for (int k = 0; k < 6; k++) {
+    double x = k * 0.25;
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    for (int b = 0; b < 8; b++)
+      w->bytes[w->n++] = (char)(bits >> 8 * b);
+  }
+}
+
+/* X(text, format, dim, whether its end can be told, bytes as text or NULL, maker or NULL) */
+#define SAMPLE_LIST(X)                                            \
+  X("OFF", GMDS_FORMAT_OFF, 0, 1, SAMPLE_OFF, NULL)               \
+  X("Medit", GMDS_FORMAT_MEDIT, 0, 1, SAMPLE_MEDIT, NULL)         \
+  X("VTK", GMDS_FORMAT_VTK, 0, 0, SAMPLE_VTK, NULL)               \
+  X("VTK 5", GMDS_FORMAT_VTK, 0, 0, SAMPLE_VTK_5, NULL)           \
+  X("VTK binary", GMDS_FORMAT_VTK, 0, 0, "", make_binary_vtk)     \
+  X("VTK 5 binary", GMDS_FORMAT_VTK, 0, 0, "", make_binary_vtk_5) \
+  X(".node", GMDS_FORMAT_NODE, 2, 1, SAMPLE_NODE, NULL)           \
+  X("raw", GMDS_FORMAT_F64, 3, 0, "", make_raw)                   \
+  X("text", GMDS_FORMAT_TEXT, 0, 0, SAMPLE_TEXT, NULL)
+
+#define SAMPLE_ONE(...) +1
+enum { N_SAMPLES = 0 SAMPLE_LIST(SAMPLE_ONE) };
+#undef SAMPLE_ONE
+
+static inline sample sample_at(size_t i)
+{
+#define ROW(text, format, dim, counted, bytes, maker) {text, format, dim, counted, bytes, maker},
+  static const struct {
+    const char *text;
+    gmds_format format;
+    int dim, counted;
+    const char *bytes;
+    void (*make)(sample_writer *);
+  } rows[] = {SAMPLE_LIST(ROW)};
+#undef ROW
+  sample s = {.text = rows[i].text, .format = rows[i].format, .dim = rows[i].dim, .counted = rows[i].counted};
+  sample_writer w = {s.bytes, 0};
+  put_text(&w, rows[i].bytes);
+  if (rows[i].make)
+    rows[i].make(&w);
+  s.n = w.n;
+  return s;
+}
+#endif

@@ -1,0 +1,160 @@
+/* Real files of the data folder: as many points and cells as its own census says. */
+#include "soup_tools.h"
+
+/* X(file, points, vertices, edges, faces, volumes) */
+#define MESH_LIST(X)                                                        \
+  X("surfaces/cgal_3torus.off", 19, 0, 0, 23, 0)                            \
+  X("surfaces/cgal_armadillo.off.xz", 26002, 0, 0, 52000, 0)                \
+  X("surfaces/cgal_blade_open.off.xz", 8231, 0, 0, 16222, 0)                \
+  X("surfaces/cgal_bones.off.xz", 2154, 0, 0, 4204, 0)                      \
+  X("surfaces/cgal_cheese.off.xz", 8629, 0, 0, 17786, 0)                    \
+  X("surfaces/cgal_cow.off.xz", 2904, 0, 0, 5804, 0)                        \
+  X("surfaces/cgal_double-torus-example.off", 231, 0, 0, 220, 0)            \
+  X("surfaces/cgal_elephant.off.xz", 2775, 0, 0, 5558, 0)                   \
+  X("surfaces/cgal_knot2.off.xz", 5760, 0, 0, 11520, 0)                     \
+  X("surfaces/cgal_turbine.off.xz", 9210, 0, 0, 18460, 0)                   \
+  X("surfaces/cinolib_lion_vase_poly.off.xz", 46206, 0, 0, 23105, 0)        \
+  X("surfaces/derived_lobsterCT_poly.off.xz", 148104, 0, 0, 147834, 0)      \
+  X("surfaces/derived_lobsterCT_tri.off.xz", 282184, 0, 0, 564460, 0)       \
+  X("surfaces/simnibs_fsaverage_lh_sphere.off.xz", 163842, 0, 0, 327680, 0) \
+  X("surfaces/surfice_BrainMesh_Ch2.off.xz", 53469, 0, 0, 107398, 0)        \
+  X("surfaces/vmas_neptune.off.xz", 14814, 0, 0, 29636, 0)                  \
+  X("volumes/cinolib_rockerarm_hex.mesh.xz", 12751, 0, 0, 4076, 10600)      \
+  X("volumes/gmds072_easy2_polydata.vtk.xz", 5609, 0, 0, 11218, 0)          \
+  X("volumes/gmds_B80.vtk.xz", 749, 8, 102, 1062, 2832)                     \
+  X("volumes/gmds_ElipticSmoothTest2_quads.vtk.xz", 6820, 0, 0, 6633, 0)    \
+  X("volumes/gmds_HolesInSquare2.mesh.xz", 1143, 0, 162, 2120, 0)           \
+  X("volumes/gmds_HolesInSquare2.vtk.xz", 1143, 9, 162, 2120, 0)            \
+  X("volumes/gmds_mambo_B31.vtk.xz", 12291, 24, 544, 10944, 59058)          \
+  X("volumes/gmds_several_types.vtk", 14, 0, 0, 0, 4)                       \
+  X("volumes/gmds_tet_in_box.vtk", 29, 0, 0, 0, 61)                         \
+  X("volumes/hexsmoothing_mixedElementMesh.vtk.xz", 1201, 0, 0, 883, 1628)  \
+  X("volumes/libigl_hand.mesh.xz", 7234, 0, 0, 9556, 29998)                 \
+  X("volumes/mmg_naca.mesh.xz", 15102, 0, 102, 30100, 0)                    \
+  X("malformed/trimesh_comments_valid.off", 8, 0, 0, 6, 0)                  \
+  X("points/cgal_cube8.xyz", 8, 0, 0, 0, 0)                                 \
+  X("points/cgal_kitten.xyz.xz", 5210, 0, 0, 0, 0)                          \
+  X("points/cgal_norway_coast_endpoints.xy.xz", 81156, 0, 0, 0, 0)          \
+  X("points/cgal_radar.xyz.xz", 20950, 0, 0, 0, 0)                          \
+  X("points/d3_issue891_duplicates.xy", 42, 0, 0, 0, 0)                     \
+  X("points/delaunator_issue13.xy", 17, 0, 0, 0, 0)                         \
+  X("points/delaunator_issue43.xy", 5, 0, 0, 0, 0)                          \
+  X("points/delaunator_robustness1.xy", 79, 0, 0, 0, 0)                     \
+  X("points/delaunator_robustness2.xy", 1000, 0, 0, 0, 0)                   \
+  X("points/delaunator_ukraine.xy", 874, 0, 0, 0, 0)                        \
+  X("points/geonames_cities1000_lonlat.xy.xz", 144563, 0, 0, 0, 0)          \
+  X("points/gmt_ship_15.xyz.xz", 82651, 0, 0, 0, 0)                         \
+  X("points/pdal_autzen_trim_lidar.xyz.xz", 110000, 0, 0, 0, 0)             \
+  X("points/tsplib_d18512.xy.xz", 18512, 0, 0, 0, 0)                        \
+  X("points/tsplib_pla33810.xy.xz", 33810, 0, 0, 0, 0)                      \
+  X("points/tsplib_u2319.xy", 2319, 0, 0, 0, 0)
+
+/* Puts the file under its own name, unpacked where it is compressed, and returns the path. */
+static const char *unpacked(const char *folder, const char *data, const char *file)
+{
+  static char path[512];
+  char command[1200], block[65536];
+  const char *name = strrchr(file, '/') + 1;
+  size_t n = strlen(name), packed = n > 3 && !strcmp(name + n - 3, ".xz");
+  if (!packed) {
+    snprintf(path, sizeof path, "%s/%s", data, file);
+    return path;
+  }
+  snprintf(path, sizeof path, "%s/%.*s", folder, (int)(n - 3), name);
+  snprintf(command, sizeof command, "xz -dc '%s/%s'", data, file);
+  FILE *in = popen(command, "r"), *out = fopen(path, "wb");
+  ck_assert(in && out);
+  for (size_t got; (got = fread(block, 1, sizeof block, in)) > 0;)
+    ck_assert_uint_eq(fwrite(block, 1, got, out), got);
+  ck_assert_int_eq(fclose(out), 0);
+  ck_assert_int_eq(pclose(in), 0);
+  return path;
+}
+
+START_TEST(real_files_have_the_counts_of_their_census)
+{
+  static const struct {
+    const char *file;
+    size_t n[5];
+  } files[] = {
+#define ROW(file, p, v, e, f, r) {file, {p, v, e, f, r}},
+      MESH_LIST(ROW)
+#undef ROW
+  };
+  const char *data = data_folder("real mesh files");
+  if (!data)
+    return;
+  const char *folder = fresh_folder();
+  for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+    held *h = held_new(2);
+    size_t count[4];
+    const char *path = unpacked(folder, data, files[i].file);
+    ck_assert_msg(gmds_read_soup(path, 0, &h->error, &h->soup) == GMDS_OK, "%s", h->error.text);
+    gmds_soup_count(&h->soup, count);
+    ck_assert_msg(h->soup.n_points == files[i].n[0], "%s: %zu points", files[i].file, h->soup.n_points);
+    for (int d = 0; d < 4; d++)
+      ck_assert_msg(count[d] == files[i].n[d + 1], "%s: %zu cells of dimension %d", files[i].file, count[d], d);
+    ck_assert_uint_eq(h->soup.degenerate, 0);
+    if (strncmp(path, data, strlen(data)))
+      unlink(path);
+    held_free(h);
+  }
+  rmdir(folder);
+}
+END_TEST
+
+START_TEST(malformed_files_and_those_of_other_programs_are_refused)
+{
+  static const char *const files[] = {"malformed/assimp_ant-half_truncated.ply",
+                                      "malformed/assimp_empty.off",
+                                      "malformed/assimp_invalid.off",
+                                      "malformed/assimp_malformed.obj",
+                                      "malformed/openscad_unparseable.stl",
+                                      "malformed/tinyobj_test-nan.obj",
+                                      "malformed/tinyobj_issue-140-zero-face-idx.obj",
+                                      "volumes/mfem_fichera-mixed.mesh"};
+  const char *data = data_folder("malformed files");
+  if (!data)
+    return;
+  for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+    held *h = held_new(2);
+    char path[512];
+    snprintf(path, sizeof path, "%s/%s", data, files[i]);
+    ck_assert_int_ne(gmds_read_soup(path, 0, &h->error, &h->soup), GMDS_OK);
+    ck_assert_msg(strstr(h->error.text, strrchr(files[i], '/')) != NULL, "%s", h->error.text);
+    ck_assert_uint_eq(h->memory.live, 0);
+    held_free(h);
+  }
+}
+END_TEST
+
+/* The same bytes under every extension: refused or read, never more. */
+START_TEST(a_file_under_a_wrong_extension_does_no_harm)
+{
+  static const char *const files[] = {"malformed/assimp_malformed.obj",          "malformed/openscad_unparseable.stl",
+                                      "malformed/assimp_ant-half_truncated.ply", "points/CDT_kidney.txt",
+                                      "volumes/gmds_several_types.vtk",          "surfaces/cgal_3torus.off"};
+  const char *data = data_folder("files under wrong extensions");
+  if (!data)
+    return;
+  for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+    char path[512], *bytes = malloc(1 << 20);
+    ck_assert_ptr_nonnull(bytes);
+    snprintf(path, sizeof path, "%s/%s", data, files[i]);
+    FILE *file = fopen(path, "rb");
+    ck_assert_ptr_nonnull(file);
+    size_t n = fread(bytes, 1, 1 << 20, file);
+    fclose(file);
+    for (int format = 0; format < GMDS_FORMAT_COUNT; format++) {
+      held *h = held_new(2);
+      if (read_bytes(h, (gmds_format)format, bytes, n, 2) != GMDS_OK)
+        ck_assert_uint_eq(h->memory.live, 0);
+      held_free(h);
+    }
+    free(bytes);
+  }
+}
+END_TEST
+
+RUN_SUITE("data files", real_files_have_the_counts_of_their_census,
+          malformed_files_and_those_of_other_programs_are_refused, a_file_under_a_wrong_extension_does_no_harm)
