@@ -31,6 +31,16 @@ void gmds_cells_clear(gmds_cells *cells)
   gmds_cells_init(cells, cells->alive.memory, cells->limit);
 }
 
+void gmds_cells_empty(gmds_cells *cells)
+{
+  for (gmds_attribute *a = cells->attributes; a; a = a->next) {
+    gmds_release(cells->alive.memory, a->data, cells->capacity, a->bytes);
+    a->data = NULL;
+  }
+  gmds_bits_clear(&cells->alive);
+  cells->end = cells->count = cells->capacity = cells->hole = 0;
+}
+
 gmds_status gmds_cells_resize(gmds_cells *cells, size_t capacity)
 {
   if (capacity > cells->limit)

@@ -49,6 +49,9 @@ typedef struct gmds_cells {
 void gmds_cells_init(gmds_cells *cells, gmds_memory *memory, size_t limit);
 void gmds_cells_clear(gmds_cells *cells);
 
+/* Removes every cell; the attributes stay, without values. */
+void gmds_cells_empty(gmds_cells *cells);
+
 /* Gives the liveness and every attribute room for exactly `capacity` cells (not below `end`). GMDS_OK; GMDS_ERR_MEMORY
  * (nothing is lost; some columns may have grown); GMDS_ERR_TOO_MANY. */
 gmds_status gmds_cells_resize(gmds_cells *cells, size_t capacity);

@@ -16,6 +16,9 @@ static inline void mesh_init(mesh *m, const gmds_allocator *allocator);
 /* Frees everything. The mesh is empty and usable; memory.peak goes on. */
 static inline void mesh_clear(mesh *m);
 
+/* Removes every cell and frees its room. The attributes stay, without values. */
+static inline void empty(mesh *m);
+
 /* Room for at least this many cells in all, exactly if there was less. GMDS_OK, GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY. */
 static inline gmds_status reserve(mesh *m, size_t nodes, size_t edges, size_t faces);
 

@@ -107,3 +107,4 @@
 #define fill_soup GMDS_FN(fill_soup)
 #define to_soup GMDS_FN(to_soup)
 #define checksum GMDS_FN(checksum)
+#define empty GMDS_FN(empty)

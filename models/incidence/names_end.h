@@ -128,3 +128,4 @@
 #undef GMDS__FINDS_EDGES
 #undef GMDS__MAKES_EDGES
 #undef GMDS__JOINED_BY_FACES
+#undef empty

@@ -96,7 +96,7 @@ static inline void mesh_init(mesh *m, const gmds_allocator *allocator)
   gmds_ids_init(&m->found, &m->memory);
 }
 
-static inline void mesh_clear(mesh *m)
+static inline void empty(mesh *m)
 {
 #define GMDS__CLEAR_ROWS(i, j) gmds_rows_clear(&m->r_##i##_##j, &m->memory);
 #define GMDS__CLEAR_INLINE(i, j) gmds_column_clear(&m->r_##i##_##j, &m->memory);
@@ -108,9 +108,16 @@ static inline void mesh_clear(mesh *m)
   m->points = NULL;
   m->points_capacity = 0;
   for (int i = 0; i < 3; i++)
-    gmds_cells_clear(&m->cells[i]);
+    gmds_cells_empty(&m->cells[i]);
   gmds_ids_clear(&m->plan);
   gmds_ids_clear(&m->found);
+}
+
+static inline void mesh_clear(mesh *m)
+{
+  empty(m);
+  for (int i = 0; i < 3; i++)
+    gmds_cells_clear(&m->cells[i]);
 }
 
 /* Gives every column of the i-cells room for exactly `capacity` cells. Each column knows its own room: after a failure

@@ -1,0 +1,72 @@
+/* Delaunay triangulation of points of the plane by the algorithm of Bowyer and Watson ([models] 4.1): one text for every
+ * model that answers 2 -> 0 and 2 -> 2 on triangles.
+ *
+ * A node that stands for infinity (the ghost) makes the triangulation a closed surface, so that the hull is exact. The
+ * points go in along a Hilbert curve in rounds (order.h). Each is located by a walk, the triangles whose circles hold it
+ * are gathered depth first, which gives the boundary of the cavity in order, and the cavity operator of the model
+ * replaces them. Predicates are exact and ties are broken as CGAL does (predicates.h): the set of triangles depends on
+ * the points alone.
+ *
+ * A triangle in hand carries its nodes in counter-clockwise order, and stepping over a side keeps it. So models that
+ * keep no order are oriented by what the algorithm knows, not by the mesh.
+ *
+ *   <prefix>_delaunay(m, n, xy, options, result)
+ *     m        an empty mesh; its nodes are the distinct points in the order of insertion, its faces the triangles
+ *     n, xy    n × 2 coordinates, row major
+ *     options  may be NULL
+ *     result   may be NULL; cleared first. Points of lower dimension give no faces, but dimension and chain (delaunay.h)
+ *   GMDS_OK; GMDS_ERR_ARGUMENT (the mesh is not empty); GMDS_ERR_COORDINATE (the error names the first point that is not
+ *   finite); GMDS_ERR_TOO_MANY; GMDS_ERR_MEMORY; GMDS_ERR_CANCELLED; GMDS_ERR_PLATFORM. On failure the mesh is empty and
+ *   the result is empty. Expected O(n log n) where neighbours are local, else O(n) traversals of the mesh. */
+#ifndef GMDS__OPEN
+#  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/delaunay.h>"
+#endif
+
+#include <gmds/delaunay.h>
+#include <gmds/order.h>
+#include <gmds/predicates.h>
+
+_Static_assert(GMDS__DIM == 2, "gmds: delaunay() triangulates the plane: take DIM3 out of GMDS_MODEL");
+_Static_assert(GMDS__TRIANGLES, "gmds: delaunay() makes triangles: add TRIANGLE to GMDS_FACES");
+_Static_assert(!GMDS_STORED(1, 1), "gmds: delaunay() does not keep E2E true: take it out of GMDS_MODEL");
+_Static_assert(GMDS_CAN(2, 0), "gmds: delaunay() needs 2->0: add F2N, or F2E with E2N, or N2F, to GMDS_MODEL");
+_Static_assert(GMDS_CAN(2, 2), "gmds: delaunay() needs 2->2: add F2F, or F2N, or define GMDS_FACES TRIANGLE");
+
+#if GMDS__DIM == 2 && GMDS__TRIANGLES && !GMDS_STORED(1, 1) && GMDS_CAN(2, 0) && GMDS_CAN(2, 2)
+#  define insertion GMDS_FN(insertion)
+#  define neighbours GMDS_FN(neighbours)
+#  define step_over GMDS_FN(step_over)
+#  define in_conflict GMDS_FN(in_conflict)
+#  define locate GMDS_FN(locate)
+#  define grow_cavity GMDS_FN(grow_cavity)
+#  define add_to_cavity GMDS_FN(add_to_cavity)
+#  define reserve_cavity GMDS_FN(reserve_cavity)
+#  define insert_point GMDS_FN(insert_point)
+#  define place_nodes GMDS_FN(place_nodes)
+#  define number_nodes GMDS_FN(number_nodes)
+#  define first_triangle GMDS_FN(first_triangle)
+#  define triangulate_nodes GMDS_FN(triangulate_nodes)
+#  define insert_all GMDS_FN(insert_all)
+#  define sort_chain GMDS_FN(sort_chain)
+#  define delaunay GMDS_FN(delaunay)
+#  include <gmds/algorithms/delaunay/walk.h>
+#  include <gmds/algorithms/delaunay/cavity.h>
+#  include <gmds/algorithms/delaunay/points.h>
+#  include <gmds/algorithms/delaunay/run.h>
+#  undef insertion
+#  undef neighbours
+#  undef step_over
+#  undef in_conflict
+#  undef locate
+#  undef grow_cavity
+#  undef add_to_cavity
+#  undef reserve_cavity
+#  undef insert_point
+#  undef place_nodes
+#  undef number_nodes
+#  undef first_triangle
+#  undef triangulate_nodes
+#  undef insert_all
+#  undef sort_chain
+#  undef delaunay
+#endif

@@ -1,0 +1,75 @@
+/* From points to nodes: order, duplicates, the map from one to the other, and what is left when all lie on a line. */
+
+/* Fills an empty mesh with the distinct points as nodes in insertion order, and result->node_of. */
+static inline gmds_status place_nodes(mesh *m, size_t n, const double *xy, gmds_error *error,
+                                      gmds_delaunay_result *result, gmds_id *order)
+{
+  void *same = NULL;
+  size_t distinct = 0;
+  if (result && n && !gmds_resize(&result->memory, &same, 0, n, sizeof(gmds_id)))
+    return gmds_fail(error, GMDS_ERR_MEMORY, "out of memory for the nodes of %zu points", n);
+  if (result) {
+    result->node_of = same;
+    result->points = n;
+  }
+  GMDS_TRY(gmds_order_points(&m->memory, 2, n, xy, error, order, same, &distinct));
+  if (result)
+    result->distinct = distinct;
+  gmds_status status = reserve(m, distinct + 1, 0, 0);
+  if (status != GMDS_OK)
+    return gmds_fail(error, status, "%zu nodes: %s", distinct, gmds_status_text(status));
+  for (size_t k = 0; k < distinct; k++) {
+    gmds_id v = 0;
+    const double x[2] = {xy[2 * order[k]] + 0.0, xy[2 * order[k] + 1] + 0.0}; /* -0 becomes +0 */
+    GMDS_TRY(add_node(m, x, &v));
+  }
+  return GMDS_OK;
+}
+
+/* Turns result->node_of, for each point the index of the one that stands for it, into nodes. Those that stand for
+ * themselves are in `order`, node k being order[k]. */
+static inline gmds_status number_nodes(mesh *m, const gmds_id *order, gmds_delaunay_result *result)
+{
+  gmds_bits stands;
+  GMDS_TRY(gmds_bits_init(&stands, &m->memory, result->points));
+  for (size_t k = 0; k < result->distinct; k++)
+    gmds_bits_set(&stands, order[k]);
+  for (size_t k = 0; k < result->distinct; k++)
+    result->node_of[order[k]] = (gmds_id)k;
+  for (size_t i = 0; i < result->points; i++)
+    if (!gmds_bits_get(&stands, i))
+      result->node_of[i] = result->node_of[result->node_of[i]];
+  gmds_bits_clear(&stands);
+  return GMDS_OK;
+}
+
+/* result->chain: the nodes in lexicographic order, that is, along their line. Heap sort: no worst case, no stack. */
+static inline gmds_status sort_chain(const mesh *m, gmds_delaunay_result *result)
+{
+  size_t n = result->distinct;
+  void *block = NULL;
+  if (!gmds_resize(&result->memory, &block, 0, n, sizeof(gmds_id)))
+    return GMDS_ERR_MEMORY;
+  gmds_id *chain = result->chain = block;
+  for (size_t k = 0; k < n; k++)
+    chain[k] = (gmds_id)k;
+  for (size_t start = n / 2, end = n; end > 1;) {
+    if (start > 0)
+      start--;
+    else {
+      gmds_id top = chain[0];
+      chain[0] = chain[--end];
+      chain[end] = top;
+    }
+    for (size_t root = start, child; (child = 2 * root + 1) < end; root = child) {
+      if (child + 1 < end && gmds_compare_points(2, point(m, chain[child]), point(m, chain[child + 1])) < 0)
+        child++;
+      if (gmds_compare_points(2, point(m, chain[root]), point(m, chain[child])) >= 0)
+        break;
+      gmds_id swap = chain[root];
+      chain[root] = chain[child];
+      chain[child] = swap;
+    }
+  }
+  return GMDS_OK;
+}

@@ -1,0 +1,104 @@
+/* The triangulation from its first triangle to its last. */
+
+/* The first triangle (nodes 0, 1 and *third, the first that is not on their line) and the three infinite ones around it.
+ * *third is GMDS_NONE when all nodes lie on one line. */
+static inline gmds_status first_triangle(insertion *in, gmds_id *third)
+{
+  mesh *m = in->m;
+  size_t n = count_0(m);
+  int turn = 0;
+  gmds_id c = 2;
+  for (; c < n && !turn; c++)
+    turn = gmds_orient2d(point(m, 0), point(m, 1), point(m, c));
+  *third = turn ? c - 1 : GMDS_NONE;
+  if (!turn)
+    return GMDS_OK;
+  const double nowhere[2] = {0, 0}; /* the ghost's coordinates are never looked at */
+  GMDS_TRY(reserve(m, n + 1, 3 * n, 2 * n));
+  GMDS_TRY(add_node(m, nowhere, &in->ghost));
+  const gmds_id v[3] = {turn > 0 ? 0 : 1, turn > 0 ? 1 : 0, *third};
+  gmds_id f = 0, g = 0;
+  GMDS_TRY(add_triangle(m, v[0], v[1], v[2], &f));
+  for (int k = 0; k < 3; k++)
+    GMDS_TRY(add_triangle(m, v[(k + 1) % 3], v[k], in->ghost, &g));
+  in->last = (gmds_cavity_face){f, {v[0], v[1], v[2]}, 0};
+  return GMDS_OK;
+}
+
+static inline gmds_status insert_all(insertion *in, const gmds_delaunay_options *options)
+{
+  enum { EVERY = 4096 };
+  size_t n = count_0(in->m);
+  gmds_id third = GMDS_NONE;
+  if (n < 3)
+    return GMDS_OK;
+  GMDS_TRY(first_triangle(in, &third));
+  if (third == GMDS_NONE)
+    return GMDS_OK;
+  for (gmds_id v = 2; v < n; v++) {
+    if (v % EVERY == 0 && options && options->progress && options->progress(options->user, v, n))
+      return GMDS_ERR_CANCELLED;
+    if (v != third)
+      GMDS_TRY(insert_point(in, v));
+  }
+  return remove_node(in->m, in->ghost, GMDS_CASCADE);
+}
+
+/* Triangulates the nodes of a mesh that has no faces. */
+static inline gmds_status triangulate_nodes(mesh *m, const gmds_delaunay_options *options)
+{
+  insertion in = {.m = m, .ghost = GMDS_NONE};
+  gmds_ids_init(&in.near, &m->memory);
+  gmds_ids_init(&in.nodes, &m->memory);
+  gmds_status status = insert_all(&in, options);
+  size_t faces = in.capacity, sides = faces ? faces + 2 : 0;
+  gmds_release(&m->memory, in.faces, faces, sizeof *in.faces);
+  gmds_release(&m->memory, in.sides, sides, sizeof *in.sides);
+  gmds_release(&m->memory, in.ids, sides, sizeof *in.ids);
+  gmds_release(&m->memory, in.stack, sides, sizeof *in.stack);
+  gmds_release(&m->memory, in.around, faces, GMDS_ACROSS ? 0 : sizeof *in.around);
+  gmds_ids_clear(&in.near);
+  gmds_ids_clear(&in.nodes);
+  return status;
+}
+
+static inline gmds_status delaunay(mesh *m, size_t n, const double *xy, const gmds_delaunay_options *options,
+                                   gmds_delaunay_result *result)
+{
+  gmds_error *error = options ? options->error : NULL;
+  void *order = NULL;
+  if (result)
+    gmds_delaunay_result_clear(result);
+  if (m->cells[0].count || m->cells[1].count || m->cells[2].count)
+    return gmds_fail(error, GMDS_ERR_ARGUMENT, "the mesh to be triangulated is not empty");
+  gmds_status status = gmds_predicates_check();
+  if (status != GMDS_OK)
+    return gmds_fail(error, status, "%s", gmds_status_text(status));
+  if (n && !gmds_resize(&m->memory, &order, 0, n, sizeof(gmds_id)))
+    return gmds_fail(error, GMDS_ERR_MEMORY, "out of memory for the order of %zu points", n);
+  status = place_nodes(m, n, xy, error, result, order);
+  if (status == GMDS_OK && result)
+    status = number_nodes(m, order, result);
+  gmds_release(&m->memory, order, order ? n : 0, sizeof(gmds_id));
+  size_t nodes = count_0(m);
+  if (status == GMDS_OK) {
+    status = triangulate_nodes(m, options);
+    if (status == GMDS_OK)
+      status = compact(m, NULL);
+    if (status == GMDS_OK)
+      status = trim(m);
+    if (status == GMDS_OK && result) {
+      result->dimension = count_2(m) ? 2 : nodes > 1 ? 1 : (int)nodes - 1;
+      if (result->dimension == 0 || result->dimension == 1)
+        status = sort_chain(m, result);
+    }
+    if (status != GMDS_OK)
+      gmds_fail(error, status, "%zu points: %s", nodes, gmds_status_text(status));
+  }
+  if (status != GMDS_OK) {
+    empty(m);
+    if (result)
+      gmds_delaunay_result_clear(result);
+  }
+  return status;
+}

@@ -1,0 +1,98 @@
+/* Stepping from triangle to triangle, and the walk to a point. */
+
+/* The state of an insertion. Its lists come from the mesh's memory. */
+typedef struct insertion {
+  mesh *m;
+  gmds_id ghost;
+  gmds_cavity_face last;    /* a finite triangle near the last point */
+  size_t n_faces, n_sides;  /* of the cavity */
+  size_t capacity;          /* the lists hold as many faces, and two more sides */
+  gmds_cavity_face *faces;
+  gmds_cavity_side *sides;
+  gmds_id *ids;
+  uint64_t *stack;          /* sides to be crossed: 4 * index of the face + side */
+  gmds_cavity_face (*around)[3]; /* models without across(): the triangles beyond the sides of each face */
+  gmds_ids near, nodes;     /* answers of queries */
+} insertion;
+
+#if GMDS_ACROSS
+
+/* The triangle beyond side q of t, entered over its side 0. */
+static inline gmds_status step_over(insertion *in, const gmds_cavity_face *t, unsigned q, gmds_cavity_face *beyond)
+{
+  unsigned number = t->side + q, arrival = 0;
+  gmds_id g = across(in->m, t->face, number < 3 ? number : number - 3, &arrival);
+  beyond->face = g;
+  beyond->side = arrival;
+  beyond->node[0] = t->node[q < 2 ? q + 1 : 0];
+  beyond->node[1] = t->node[q];
+  beyond->node[2] = face_node(in->m, g, arrival < 1 ? arrival + 2 : arrival - 1);
+  return GMDS_OK;
+}
+
+#else
+
+/* The triangles beyond the three sides of t, each entered over its side 0: the adjacent faces, told apart by the nodes
+ * that they share with t. */
+static inline gmds_status neighbours(insertion *in, const gmds_cavity_face *t, gmds_cavity_face beyond[3])
+{
+  int found = 0;
+  GMDS_TRY(get_adj_2_2(in->m, t->face, &in->near));
+  for (size_t i = 0; i < in->near.n; i++) {
+    GMDS_TRY(get_adj_2_0(in->m, in->near.data[i], &in->nodes));
+    gmds_id third = GMDS_NONE;
+    int absent[3] = {1, 1, 1}, shared = 0;
+    for (size_t k = 0; k < in->nodes.n; k++) {
+      gmds_id v = in->nodes.data[k];
+      int own = 0;
+      for (unsigned q = 0; q < 3; q++)
+        if (t->node[q] == v) {
+          absent[q] = 0;
+          own = 1;
+        }
+      shared += own;
+      if (!own)
+        third = v;
+    }
+    if (shared != 2)
+      return GMDS_ERR_INVARIANT;
+    unsigned apex = absent[0] ? 0 : absent[1] ? 1 : 2, q = (apex + 1) % 3; /* the shared side begins after the apex */
+    beyond[q] = (gmds_cavity_face){in->near.data[i], {t->node[(q + 1) % 3], t->node[q], third}, 0};
+    found |= 1 << q;
+  }
+  return found == 7 ? GMDS_OK : GMDS_ERR_INVARIANT;
+}
+
+static inline gmds_status step_over(insertion *in, const gmds_cavity_face *t, unsigned q, gmds_cavity_face *beyond)
+{
+  gmds_cavity_face all[3];
+  GMDS_TRY(neighbours(in, t, all));
+  *beyond = all[q];
+  return GMDS_OK;
+}
+
+#endif
+
+/* Walks from the last triangle to one whose circle holds p: the finite triangle that p lies in or on, or the infinite
+ * one beyond a side of the hull that p lies outside of. A visibility walk: in a Delaunay triangulation it never meets
+ * a triangle twice (Edelsbrunner 1990). */
+static inline gmds_status locate(insertion *in, const double p[2], gmds_cavity_face *found)
+{
+  const mesh *m = in->m;
+  gmds_cavity_face t = in->last;
+  unsigned q = 0;
+  while (q < 3) {
+    if (gmds_orient2d(point(m, t.node[q]), point(m, t.node[q < 2 ? q + 1 : 0]), p) >= 0) {
+      q++;
+      continue;
+    }
+    gmds_cavity_face next;
+    GMDS_TRY(step_over(in, &t, q, &next));
+    t = next;
+    if (t.node[2] == in->ghost)
+      break;
+    q = 1; /* p lies on this side of side 0 */
+  }
+  *found = t;
+  return GMDS_OK;
+}

@@ -1,0 +1,37 @@
+/* Options and results of Delaunay triangulations, the same for every model. */
+#ifndef GMDS_DELAUNAY_H
+#define GMDS_DELAUNAY_H
+
+#include <gmds/ids.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct gmds_delaunay_options {
+  /* Called now and then with how many of how many points are in; anything but 0 cancels. May be NULL. */
+  int (*progress)(void *user, size_t done, size_t total);
+  void *user;
+  gmds_error *error; /* receives the sentence of a failure; may be NULL */
+} gmds_delaunay_options;
+
+/* Zero-initialise it (or use gmds_delaunay_result_init) before the first use; clear it after the last. */
+typedef struct gmds_delaunay_result {
+  gmds_memory memory;  /* the result's own: its arrays do not count as the mesh's */
+  int dimension;       /* of the points: -1 (none), 0, 1 (on one line) or 2 */
+  size_t points;       /* how many were given */
+  size_t distinct;     /* how many of them differ: the nodes of the mesh */
+  gmds_id *node_of;    /* `points` entries: the node of each point; of equal points the first gives the node */
+  gmds_id *chain;      /* dimension 0 and 1: the `distinct` nodes in order along the line; else NULL */
+} gmds_delaunay_result;
+
+/* An empty result; allocator NULL stands for the C library's. */
+void gmds_delaunay_result_init(gmds_delaunay_result *result, const gmds_allocator *allocator);
+
+/* Frees the arrays; the result is empty and usable again. */
+void gmds_delaunay_result_clear(gmds_delaunay_result *result);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
