@@ -58,6 +58,10 @@ static inline gmds_status neighbours(insertion *in, const gmds_cavity_face *t, g
       return GMDS_ERR_INVARIANT;
     unsigned apex = absent[0] ? 0 : absent[1] ? 1 : 2, q = (apex + 1) % 3; /* the shared side begins after the apex */
     beyond[q] = (gmds_cavity_face){in->near.data[i], {t->node[(q + 1) % 3], t->node[q], third}, 0};
+#  if GMDS_ORDERED_2_0
+    while (in->nodes.data[beyond[q].side] != beyond[q].node[0])
+      beyond[q].side++;
+#  endif
     found |= 1 << q;
   }
   return found == 7 ? GMDS_OK : GMDS_ERR_INVARIANT;
