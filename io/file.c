@@ -9,14 +9,20 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+/* The end of a path says more than its beginning when there is no room for both. */
+static const char *shown(const char *path)
+{
+  size_t n = strlen(path), most = 200;
+  return n > most ? path + (n - most) : path;
+}
+
 /* `<path>: cannot be opened: No such file or directory` */
 static gmds_status fail_errno(gmds_error *error, gmds_status status, const char *path, const char *what, int code)
 {
   char reason[128];
   if (strerror_r(code, reason, sizeof reason))
     snprintf(reason, sizeof reason, "error %d", code);
-  size_t n = strlen(path), most = 200;
-  return gmds_fail(error, status, "%s: cannot be %s: %s", n > most ? path + (n - most) : path, what, reason);
+  return gmds_fail(error, status, "%s: cannot be %s: %s", shown(path), what, reason);
 }
 
 /* Grows the block until the file ends; one byte more than its size shows the end without growing. */
@@ -25,7 +31,7 @@ static gmds_status read_all(FILE *file, size_t size, const char *path, gmds_erro
   for (size_t wanted = size < SIZE_MAX ? size + 1 : size;;) {
     void *data = bytes->data;
     if (!gmds_resize(bytes->memory, &data, bytes->capacity, wanted, 1))
-      return gmds_fail(error, GMDS_ERR_MEMORY, "%s: out of memory for its %zu bytes or more", path, wanted - 1);
+      return gmds_fail(error, GMDS_ERR_MEMORY, "%s: out of memory for its %zu bytes or more", shown(path), wanted - 1);
     bytes->data = data;
     bytes->capacity = wanted;
     bytes->n += fread(bytes->data + bytes->n, 1, bytes->capacity - bytes->n, file);
@@ -93,7 +99,7 @@ gmds_status gmds_output_open(gmds_output *output, const char *path, gmds_error *
   *output = (gmds_output){.path = path};
   struct stat about;
   if (!stat(path, &about) && !S_ISREG(about.st_mode)) /* a rename would put a file in the place of a device */
-    return gmds_fail(error, GMDS_ERR_OPEN, "%s: cannot be written: it is there and is no regular file", path);
+    return gmds_fail(error, GMDS_ERR_OPEN, "%s: cannot be written: it is there and is no regular file", shown(path));
   int code = create_beside(output);
   return code ? fail_errno(error, GMDS_ERR_OPEN, path, "written", code) : GMDS_OK;
 }

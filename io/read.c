@@ -72,9 +72,10 @@ static gmds_status read_bytes(gmds_format format, gmds_text *text, gmds_stage *s
 static gmds_status check_arguments(const char *name, int dim, const gmds_soup *soup, gmds_error *error)
 {
   if (dim != 0 && dim != 2 && dim != 3)
-    return gmds_fail(error, GMDS_ERR_ARGUMENT, "%s: %d coordinates a point are asked for: neither 2 nor 3", name, dim);
+    return gmds_fail(error, GMDS_ERR_ARGUMENT, "%.200s: %d coordinates a point are asked for: neither 2 nor 3", name,
+                     dim);
   if (soup->n_points || soup->n_cells)
-    return gmds_fail(error, GMDS_ERR_ARGUMENT, "%s: the soup to read into is not empty", name);
+    return gmds_fail(error, GMDS_ERR_ARGUMENT, "%.200s: the soup to read into is not empty", name);
   return GMDS_OK;
 }
 
@@ -83,7 +84,7 @@ gmds_status gmds_read_soup_from_memory(gmds_format format, const char *name, con
 {
   GMDS_TRY(check_arguments(name, dim, soup, error));
   if ((unsigned)format >= GMDS_FORMAT_COUNT)
-    return gmds_fail(error, GMDS_ERR_ARGUMENT, "%s: no such format", name);
+    return gmds_fail(error, GMDS_ERR_ARGUMENT, "%.200s: no such format", name);
   gmds_text text;
   gmds_text_init(&text, name, bytes, n, 0, error);
   gmds_stage stage;

@@ -101,7 +101,9 @@ gmds_status gmds_text_fail(const gmds_text *text, gmds_status status, long long 
   va_end(arguments);
   const char *name = shown_name(text->name);
   if (text->binary) {
-    gmds_fail(text->error, status, "%s: byte %lld: %s", name, (long long)(text->at - text->begin), sentence);
+    long long byte = text->at - text->begin;
+    gmds_fail(text->error, status, "%s: byte %lld: %s", name, byte, sentence);
+    cell = cell < 0 ? byte : cell;
   } else if (!text->line) {
     gmds_fail(text->error, status, "%s: %s", name, sentence);
   } else {

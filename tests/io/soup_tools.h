@@ -78,7 +78,7 @@ static inline const char *fresh_folder(void)
 {
   static char folder[256];
   const char *base = getenv("TMPDIR");
-  snprintf(folder, sizeof folder, "%s/gmds-XXXXXX", base && *base ? base : "/tmp");
+  snprintf(folder, sizeof folder, "%s/gmds-test-XXXXXX", base && *base ? base : ".");
   ck_assert_ptr_nonnull(mkdtemp(folder));
   return folder;
 }
