@@ -2,7 +2,11 @@
  *
  *   A (b - d) x (c - d) + B (c - d) x (a - d) + C (a - d) x (b - d),   A = |a - d|^2, ...
  *
- * and its symbolic perturbation. */
+ * and its symbolic perturbation.
+ *
+ * Cost on a 2.6 GHz core: 10 ns on a lattice, 60 to 200 ns as an expansion, 200 to 500 ns in integers of points of like
+ * magnitude, some 10 microseconds for any exponents. With inexact differences the integers are faster than the hundreds
+ * of components of an expansion, which is why there is none for them. */
 #include "expansion.h"
 #include "stages.h"
 #include "wide.h"

@@ -41,6 +41,7 @@ extern "C" {
  *   incircle   4 differences, 1 product and 1 sum in the minor, the same in the lift, 1 product, 1 sum k = 10
  * so |D - exact| <= k u (1 + k u) size. The sizes that are computed, and the bound from them, go through at most 12
  * roundings. All of these terms of order u^2 are below k u 2^-48; the constants are k u (1 + 2^-40).
+ * (Shewchuk's error bounds A have the same k. Meyer and Pion's, times the largest differences, are 8 u and 80 u.)
  *
  * The sizes: orient2d |l| + |r|, its two products; incircle, tight, the permanent; incircle, cheap, AB + BC + CA for
  * the three lifts A = |a - d|^2, ..., which is no smaller: by Cauchy and Schwarz a minor's |xy'| + |x'y| <= sqrt(BC)
