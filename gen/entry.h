@@ -1,0 +1,55 @@
+/* The shell of a generated model: gives the command one entry a model. Included between <gmds/mesh.h> and <gmds/end.h>,
+ * after the algorithms. */
+#include "model_entry.h"
+
+static gmds_status GMDS_FN(measure)(const model_task *task, mesh *m, gmds_delaunay_result *result, model_report *report)
+{
+  const gmds_delaunay_options options = {task->progress, task->user, task->error};
+  double begin = task->now();
+  GMDS_TRY(GMDS_FN(delaunay)(m, task->n, task->xy, &options, result));
+  report->seconds = task->now() - begin;
+  report->dimension = result->dimension;
+  report->duplicates = task->n - result->distinct;
+  report->triangles = count_2(m);
+  report->bytes = m->memory.live;
+  report->peak_bytes = m->memory.peak;
+  gmds_status status = checksum(m, &result->memory, &report->sum);
+  if (status == GMDS_OK && task->verify)
+    return check(m, &result->memory, task->error);
+  if (status == GMDS_OK && task->soup)
+    status = to_soup(m, task->soup);
+  return status == GMDS_OK ? status : gmds_fail(task->error, status, "%s", gmds_status_text(status));
+}
+
+static gmds_status GMDS_FN(triangulate)(const model_task *task, model_report *report)
+{
+  mesh m;
+  gmds_delaunay_result result;
+  mesh_init(&m, NULL);
+  gmds_delaunay_result_init(&result, NULL);
+  gmds_status status = GMDS_FN(measure)(task, &m, &result, report);
+  gmds_delaunay_result_clear(&result);
+  mesh_clear(&m);
+  return status;
+}
+
+#define GMDS__CODE(i, j) GMDS_FN(code_##i##_##j)
+enum {
+  GMDS__CODE(0, 0) = GMDS__PATH_0_0,
+  GMDS__CODE(0, 1) = GMDS__PATH_0_1,
+  GMDS__CODE(0, 2) = GMDS__PATH_0_2,
+  GMDS__CODE(1, 0) = GMDS__PATH_1_0,
+  GMDS__CODE(1, 1) = GMDS__PATH_1_1,
+  GMDS__CODE(1, 2) = GMDS__PATH_1_2,
+  GMDS__CODE(2, 0) = GMDS__PATH_2_0,
+  GMDS__CODE(2, 1) = GMDS__PATH_2_1,
+  GMDS__CODE(2, 2) = GMDS__PATH_2_2
+};
+
+const model_entry GMDS_FN(entry) = {
+    .mask = GMDS__MASK,
+    .triangulate = GMDS_FN(triangulate),
+    .code = {{GMDS__CODE(0, 0), GMDS__CODE(0, 1), GMDS__CODE(0, 2)},
+             {GMDS__CODE(1, 0), GMDS__CODE(1, 1), GMDS__CODE(1, 2)},
+             {GMDS__CODE(2, 0), GMDS__CODE(2, 1), GMDS__CODE(2, 2)}}};
+#undef GMDS__CODE

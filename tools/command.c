@@ -1,0 +1,191 @@
+/* What the verbs of the command share. */
+#define _POSIX_C_SOURCE 200809L
+#include "command.h"
+#include "registry.h"
+#include <errno.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+static void print_help(const verb *v, const option *options, size_t n_options)
+{
+  printf("usage: gmds %s %s\n\n%s\n", v->name, v->synopsis, v->summary);
+  if (n_options)
+    printf("\n");
+  for (size_t k = 0; k < n_options; k++)
+    printf("  %c%c --%-14s %s\n", options[k].letter ? '-' : ' ', options[k].letter ? options[k].letter : ' ',
+           options[k].name, options[k].help);
+}
+
+static const option *find_option(const option *options, size_t n, const char *word, size_t length)
+{
+  for (size_t k = 0; k < n; k++) {
+    if (length == 2 && word[0] == '-' && word[1] != '-' && word[1] == options[k].letter)
+      return &options[k];
+    if (length > 2 && strncmp(word, "--", 2) == 0 && strlen(options[k].name) == length - 2 &&
+        strncmp(word + 2, options[k].name, length - 2) == 0)
+      return &options[k];
+  }
+  return NULL;
+}
+
+int read_arguments(const verb *v, int argc, char **argv, const option *options, size_t n_options, const char **positional,
+                   int least, int most)
+{
+  int n = 0, only_positional = 0;
+  for (int i = 0; i < argc; i++) {
+    const char *word = argv[i];
+    if (only_positional || word[0] != '-' || !word[1]) {
+      if (n == most)
+        return misused(v, "'%s' is one argument too many", word);
+      positional[n++] = word;
+      continue;
+    }
+    if (strcmp(word, "--") == 0) {
+      only_positional = 1;
+      continue;
+    }
+    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
+      print_help(v, options, n_options);
+      return DONE;
+    }
+    const char *equals = strncmp(word, "--", 2) == 0 ? strchr(word, '=') : NULL;
+    const option *o = find_option(options, n_options, word, equals ? (size_t)(equals - word) : strlen(word));
+    if (!o)
+      return misused(v, "there is no option '%s'", word);
+    if (o->flag) {
+      if (equals)
+        return misused(v, "option '--%s' takes no value", o->name);
+      *o->flag = 1;
+    } else if (equals)
+      *o->value = equals + 1;
+    else if (i + 1 < argc)
+      *o->value = argv[++i];
+    else
+      return misused(v, "option '%s' lacks its value", word);
+  }
+  if (n < least)
+    return misused(v, "an argument is missing");
+  return -1;
+}
+
+int failed(const char *format, ...)
+{
+  va_list arguments;
+  va_start(arguments, format);
+  fputs("gmds: ", stderr);
+  vfprintf(stderr, format, arguments);
+  fputc('\n', stderr);
+  va_end(arguments);
+  return FAILED;
+}
+
+int misused(const verb *v, const char *format, ...)
+{
+  va_list arguments;
+  va_start(arguments, format);
+  fprintf(stderr, "gmds %s: ", v->name);
+  vfprintf(stderr, format, arguments);
+  fprintf(stderr, "; see 'gmds %s --help'\n", v->name);
+  va_end(arguments);
+  return USAGE;
+}
+
+int read_number(const char *text, unsigned long least, unsigned long most, unsigned long *number)
+{
+  char *end = NULL;
+  errno = 0;
+  if (*text < '0' || *text > '9')
+    return 0;
+  unsigned long value = strtoul(text, &end, 10);
+  if (errno || *end || value < least || value > most)
+    return 0;
+  *number = value;
+  return 1;
+}
+
+double now(void)
+{
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+int show_progress(void *user, size_t done, size_t total)
+{
+  progress_state *state = user;
+  if (!isatty(2) || total < 100000)
+    return 0;
+  fprintf(stderr, "\r%s %3d %%", state->what, (int)(100.0 * (double)done / (double)total));
+  state->shown = 1;
+  return 0;
+}
+
+void end_progress(progress_state *state)
+{
+  if (state->shown)
+    fputs("\r\033[K", stderr);
+  state->shown = 0;
+}
+
+#define DECLARE(prefix, text) extern const model_entry prefix##_entry;
+GMDS_REGISTRY(DECLARE)
+#undef DECLARE
+
+const model_entry *const *all_models(size_t *n)
+{
+#define ENTRY(prefix, text) &prefix##_entry,
+  static const model_entry *const models[] = {GMDS_REGISTRY(ENTRY)};
+#undef ENTRY
+  *n = sizeof models / sizeof *models;
+  return models;
+}
+
+const model_entry *find_model(const char *text, gmds_error *error)
+{
+  unsigned mask = 0;
+  size_t n = 0;
+  if (strcmp(text, "cmap") == 0) {
+    gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model 'cmap': this version has no combinatorial maps");
+    return NULL;
+  }
+  if (strchr(text, '+')) {
+    gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%.80s': this version borrows no relation: leave '+...' out", text);
+    return NULL;
+  }
+  if (gmds_mask_parse(text, error, &mask) != GMDS_OK)
+    return NULL;
+  mask |= GMDS_N | GMDS_F;
+  mask &= ~(unsigned)GMDS_DIM2;
+  const model_entry *const *models = all_models(&n);
+  for (size_t k = 0; k < n; k++)
+    if (models[k]->mask == mask)
+      return models[k];
+  for (int j = 0; j <= 2; j += 2)
+    if (gmds_path_of(mask, 2, j).cost == GMDS_COST_NONE) {
+      char advice[160];
+      gmds_path_advice(2, j, sizeof advice, advice);
+      gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%.80s' cannot answer 2->%d: %s", text, j, advice);
+      return NULL;
+    }
+  gmds_fail(error, GMDS_ERR_UNSUPPORTED,
+            "model '%.80s' is none of the %zu that this command holds: masks of N, F, E and the relations N2E N2F E2N E2F "
+            "F2N F2E F2F",
+            text, n);
+  return NULL;
+}
+
+void json_text(FILE *file, const char *text)
+{
+  fputc('"', file);
+  for (; *text; text++)
+    if (*text == '"' || *text == '\\')
+      fprintf(file, "\\%c", *text);
+    else if ((unsigned char)*text < 32)
+      fprintf(file, "\\u%04x", (unsigned)(unsigned char)*text);
+    else
+      fputc(*text, file);
+  fputc('"', file);
+}

@@ -1,0 +1,224 @@
+/* gmds convert, info, check: files of meshes. */
+#include "command.h"
+#include <string.h>
+
+#define GMDS_PREFIX full
+#define GMDS_MODEL (DIM3|N|E|F|N2E|N2F|E2N|E2F|F2N|F2E)
+#include <gmds/mesh.h>
+#include <gmds/end.h>
+
+gmds_status write_any(const char *path, const gmds_soup *soup, gmds_error *error)
+{
+  return is_svg(path) ? write_picture(path, soup, error) : gmds_write_soup(path, soup, error);
+}
+
+/* A file, or points made up in the plane. */
+static gmds_status read_any(const char *input, gmds_error *error, gmds_soup *soup)
+{
+  static const char *const made_up[] = {"random:", "grid:", "circle:", "clusters:"};
+  for (size_t k = 0; k < sizeof made_up / sizeof *made_up; k++)
+    if (strncmp(input, made_up[k], strlen(made_up[k])) == 0)
+      return gmds_make_points(input, 2, error, soup);
+  return gmds_read_soup(input, 0, error, soup);
+}
+
+static int run_convert(const verb *v, int argc, char **argv)
+{
+  const char *path[2] = {NULL, NULL};
+  int code = read_arguments(v, argc, argv, NULL, 0, path, 2, 2);
+  if (code >= 0)
+    return code;
+  gmds_error error;
+  gmds_memory memory;
+  gmds_soup soup;
+  gmds_memory_init(&memory, NULL);
+  gmds_soup_init(&soup, &memory, 2);
+  gmds_status status = read_any(path[0], &error, &soup);
+  if (status == GMDS_OK)
+    status = write_any(path[1], &soup, &error);
+  if (status == GMDS_OK && soup.degenerate)
+    fprintf(stderr, "gmds: %zu cells with two equal points were left out\n", soup.degenerate);
+  gmds_soup_clear(&soup);
+  return status == GMDS_OK ? DONE : failed("%s", error.text);
+}
+
+/* ---- info */
+
+static void bounding_box(const gmds_soup *soup, double low[3], double high[3])
+{
+  for (int k = 0; k < 3; k++)
+    low[k] = high[k] = 0;
+  for (size_t v = 0; v < soup->n_points; v++)
+    for (int k = 0; k < soup->dim; k++) {
+      double x = soup->points[v * (size_t)soup->dim + (size_t)k];
+      low[k] = !v || x < low[k] ? x : low[k];
+      high[k] = !v || x > high[k] ? x : high[k];
+    }
+}
+
+static void print_info(const gmds_soup *soup, const char *path, int json)
+{
+  size_t count[GMDS_CELL_TYPE_COUNT] = {0};
+  double low[3], high[3];
+  bounding_box(soup, low, high);
+  for (size_t c = 0; c < soup->n_cells; c++)
+    count[soup->types[c]]++;
+  if (json) {
+    printf("{\"file\":");
+    json_text(stdout, path);
+    printf(",\"dim\":%d,\"points\":%zu,\"degenerate\":%zu,\"cells\":{", soup->dim, soup->n_points, soup->degenerate);
+    const char *comma = "";
+    for (int t = 0; t < GMDS_CELL_TYPE_COUNT; t++)
+      if (count[t]) {
+        printf("%s\"%s\":%zu", comma, gmds_cell_type_text((gmds_cell_type)t), count[t]);
+        comma = ",";
+      }
+    printf("},\"low\":[%.17g,%.17g,%.17g],\"high\":[%.17g,%.17g,%.17g]}\n", low[0], low[1], low[2], high[0], high[1],
+           high[2]);
+    return;
+  }
+  printf("%s: %zu points of %d coordinates\n", path, soup->n_points, soup->dim);
+  for (int t = 0; t < GMDS_CELL_TYPE_COUNT; t++)
+    if (count[t])
+      printf("  %-14s %zu\n", gmds_cell_type_text((gmds_cell_type)t), count[t]);
+  if (soup->degenerate)
+    printf("  left out       %zu (two of their points are the same)\n", soup->degenerate);
+  printf("  from %.9g %.9g %.9g to %.9g %.9g %.9g\n", low[0], low[1], low[2], high[0], high[1], high[2]);
+}
+
+static int run_info(const verb *v, int argc, char **argv)
+{
+  const char *path = NULL;
+  int json = 0;
+  const option options[] = {{"json", 0, NULL, &json, "print one JSON object"}};
+  int code = read_arguments(v, argc, argv, options, 1, &path, 1, 1);
+  if (code >= 0)
+    return code;
+  gmds_error error;
+  gmds_memory memory;
+  gmds_soup soup;
+  gmds_memory_init(&memory, NULL);
+  gmds_soup_init(&soup, &memory, 2);
+  gmds_status status = read_any(path, &error, &soup);
+  if (status == GMDS_OK)
+    print_info(&soup, path, json);
+  gmds_soup_clear(&soup);
+  return status == GMDS_OK ? DONE : failed("%s", error.text);
+}
+
+/* ---- check */
+
+typedef struct findings {
+  size_t nodes, edges, faces;
+  size_t isolated_nodes, border_edges, crowded_edges, turned_edges;
+} findings;
+
+/* Whether the two faces of an edge run along it in the same direction, which they do not where they are oriented alike. */
+static gmds_status is_turned(const full_mesh *m, gmds_id e, const gmds_ids *faces, gmds_ids *list, int *turned)
+{
+  int forward = 0;
+  GMDS_TRY(full_get_adj_1_0(m, e, list));
+  gmds_id a = list->data[0], b = list->data[1];
+  for (size_t i = 0; i < 2; i++) {
+    GMDS_TRY(full_get_adj_2_0(m, faces->data[i], list));
+    for (size_t k = 0; k < list->n; k++)
+      forward += list->data[k] == a && list->data[(k + 1) % list->n] == b;
+  }
+  *turned = forward != 1;
+  return GMDS_OK;
+}
+
+static gmds_status look(const full_mesh *m, gmds_ids *faces, gmds_ids *list, findings *f)
+{
+  *f = (findings){.nodes = full_count_0(m), .edges = full_count_1(m), .faces = full_count_2(m)};
+  for (gmds_id v = full_next_0(m, 0); v != GMDS_NONE; v = full_next_0(m, v + 1)) {
+    GMDS_TRY(full_get_adj_0_1(m, v, list));
+    f->isolated_nodes += list->n == 0;
+  }
+  for (gmds_id e = full_next_1(m, 0); e != GMDS_NONE; e = full_next_1(m, e + 1)) {
+    int turned = 0;
+    GMDS_TRY(full_get_adj_1_2(m, e, faces));
+    f->border_edges += faces->n == 1;
+    f->crowded_edges += faces->n > 2;
+    if (faces->n == 2)
+      GMDS_TRY(is_turned(m, e, faces, list, &turned));
+    f->turned_edges += (size_t)turned;
+  }
+  return GMDS_OK;
+}
+
+static void print_findings(const char *path, const findings *f, size_t degenerate, int json)
+{
+  long long euler = (long long)f->nodes - (long long)f->isolated_nodes - (long long)f->edges + (long long)f->faces;
+  if (json) {
+    printf("{\"file\":");
+    json_text(stdout, path);
+    printf(",\"nodes\":%zu,\"edges\":%zu,\"faces\":%zu,\"euler\":%lld,\"isolated_nodes\":%zu,\"border_edges\":%zu,"
+           "\"nonmanifold_edges\":%zu,\"inconsistent_edges\":%zu,\"degenerate\":%zu}\n",
+           f->nodes, f->edges, f->faces, euler, f->isolated_nodes, f->border_edges, f->crowded_edges, f->turned_edges,
+           degenerate);
+    return;
+  }
+  printf("%s: %zu nodes, %zu edges, %zu faces, Euler characteristic %lld of what is used\n"
+         "  %zu isolated nodes, %zu border edges, %zu edges with more than two faces,\n"
+         "  %zu edges whose faces are oriented against each other, %zu degenerate cells left out\n"
+         "  every relation of N|E|F|N2E|N2F|E2N|E2F|F2N|F2E agrees with the others\n",
+         path, f->nodes, f->edges, f->faces, euler, f->isolated_nodes, f->border_edges, f->crowded_edges,
+         f->turned_edges, degenerate);
+}
+
+static gmds_status check_soup(const gmds_soup *soup, full_mesh *m, gmds_error *error, findings *f)
+{
+  gmds_ids faces, list;
+  GMDS_TRY(full_from_soup(m, soup, error));
+  GMDS_TRY(full_check(m, &m->memory, error));
+  gmds_ids_init(&faces, &m->memory);
+  gmds_ids_init(&list, &m->memory);
+  gmds_status status = look(m, &faces, &list, f);
+  gmds_ids_clear(&faces);
+  gmds_ids_clear(&list);
+  return status == GMDS_OK ? status : gmds_fail(error, status, "%s", gmds_status_text(status));
+}
+
+static int run_check(const verb *v, int argc, char **argv)
+{
+  const char *path = NULL;
+  int json = 0;
+  const option options[] = {{"json", 0, NULL, &json, "print one JSON object"}};
+  int code = read_arguments(v, argc, argv, options, 1, &path, 1, 1);
+  if (code >= 0)
+    return code;
+  gmds_error error;
+  gmds_memory memory;
+  gmds_soup soup;
+  full_mesh m;
+  findings f;
+  gmds_memory_init(&memory, NULL);
+  gmds_soup_init(&soup, &memory, 2);
+  full_mesh_init(&m, NULL);
+  gmds_status status = read_any(path, &error, &soup);
+  if (status == GMDS_OK) {
+    size_t count[4];
+    gmds_soup_count(&soup, count);
+    if (count[3])
+      status = gmds_fail(&error, GMDS_ERR_UNSUPPORTED, "%s: has %zu volumes, this version checks faces", path, count[3]);
+  }
+  if (status == GMDS_OK) {
+    status = check_soup(&soup, &m, &error, &f);
+    if (status == GMDS_OK)
+      print_findings(path, &f, soup.degenerate, json);
+    else
+      code = failed("%s: %s", path, error.text);
+  } else
+    code = failed("%s", error.text);
+  full_mesh_clear(&m);
+  gmds_soup_clear(&soup);
+  return status == GMDS_OK ? DONE : FAILED;
+}
+
+const verb verb_convert = {"convert", "IN OUT", "a mesh or points from one format to another (.off .vtk .mesh .node .txt "
+                                                ".f64; a picture for .svg)", run_convert};
+const verb verb_info = {"info", "FILE [--json]", "what a file holds: points, cells by type, bounding box", run_info};
+const verb verb_check = {"check", "FILE [--json]",
+                         "builds the mesh of a file with every relation, verifies them, and reports borders and the like",
+                         run_check};

@@ -1,0 +1,80 @@
+/* gmds delaunay: points to triangles. */
+#include "command.h"
+#include <string.h>
+
+static void print_report(size_t points, const model_report *r, const char *model, int json)
+{
+  if (json) {
+    printf("{\"points\":%zu,\"duplicates\":%zu,\"dimension\":%d,\"cells\":%zu,\"seconds\":%.6f,\"bytes\":%zu,"
+           "\"peak_bytes\":%zu,\"checksum\":\"%016llx\",\"model\":",
+           points, r->duplicates, r->dimension, r->triangles, r->seconds, r->bytes, r->peak_bytes,
+           (unsigned long long)r->sum);
+    json_text(stdout, model);
+    printf("}\n");
+    return;
+  }
+  printf("%zu points, %zu duplicates, dimension %d, %zu triangles\n"
+         "%.6f seconds, %zu bytes, %zu at the peak, checksum %016llx, model %s\n",
+         points, r->duplicates, r->dimension, r->triangles, r->seconds, r->bytes, r->peak_bytes,
+         (unsigned long long)r->sum, model);
+}
+
+static int run(const verb *v, int argc, char **argv)
+{
+  const char *input = NULL, *output = NULL, *dim = "2", *model = "N|F|F2N|F2F", *threads = "1";
+  int json = 0;
+  const option options[] = {
+      {"output", 'o', &output, NULL, "FILE  where the mesh goes: .off .vtk .mesh, or .svg for a picture"},
+      {"dim", 0, &dim, NULL, "2  dimension (this version: the plane)"},
+      {"model", 0, &model, NULL, "MASK  mesh model (default N|F|F2N|F2F)"},
+      {"threads", 0, &threads, NULL, "T  threads at most (this version uses one)"},
+      {"json", 0, NULL, &json, "print one JSON object"}};
+  int code = read_arguments(v, argc, argv, options, 5, &input, 1, 1);
+  if (code >= 0)
+    return code;
+  unsigned long number = 0;
+  if (!read_number(dim, 2, 3, &number))
+    return misused(v, "--dim is 2 or 3, not '%s'", dim);
+  if (number == 3)
+    return failed("--dim 3: this version triangulates the plane only");
+  if (!read_number(threads, 1, 4096, &number))
+    return misused(v, "--threads is a number from 1, not '%s'", threads);
+  gmds_error error = {.status = GMDS_OK};
+  const model_entry *entry = find_model(model, &error);
+  if (!entry)
+    return failed("%s", error.text);
+  gmds_format format;
+  if (output && !is_svg(output) && gmds_format_of_path(output, &error, &format) != GMDS_OK)
+    return failed("%s", error.text);
+  gmds_memory memory;
+  gmds_soup points, triangles;
+  gmds_memory_init(&memory, NULL);
+  gmds_soup_init(&points, &memory, 2);
+  gmds_soup_init(&triangles, &memory, 2);
+  progress_state state = {"inserting", 0};
+  model_report report = {0};
+  gmds_status status = gmds_make_points(input, 2, &error, &points);
+  if (status == GMDS_OK) {
+    const model_task task = {.n = points.n_points,
+                             .xy = points.points,
+                             .soup = output ? &triangles : NULL,
+                             .now = now,
+                             .progress = show_progress,
+                             .user = &state,
+                             .error = &error};
+    status = entry->triangulate(&task, &report);
+    end_progress(&state);
+  }
+  if (status == GMDS_OK && output)
+    status = write_any(output, &triangles, &error);
+  if (status == GMDS_OK)
+    print_report(points.n_points, &report, model, json);
+  gmds_soup_clear(&points);
+  gmds_soup_clear(&triangles);
+  return status == GMDS_OK ? DONE : failed("%s", error.text);
+}
+
+const verb verb_delaunay = {"delaunay", "INPUT [-o OUTPUT] [--model MASK] [--json]",
+                            "the Delaunay triangulation of points: a file, or random:N:SEED, grid:N, circle:N, "
+                            "clusters:N:SEED",
+                            run};
