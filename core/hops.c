@@ -87,11 +87,74 @@ static gmds_status push_matches(const few *f, gmds_ids *list, size_t before, gmd
   return GMDS_OK;
 }
 
+/* Blocks of entries in which nothing matches are passed over with one branch; compilers vectorise the inner loop. */
+enum { BLOCK = 64, FEW = 4 };
+
+/* Four of the wanted cells, the last repeated where there are fewer. */
+typedef struct four {
+  gmds_id id[4];
+} four;
+
+static four four_of(const gmds_ids *list, size_t first, size_t last)
+{
+  four w = {{GMDS_NONE, GMDS_NONE, GMDS_NONE, GMDS_NONE}};
+  for (size_t k = 0; k < 4 && first < last; k++)
+    w.id[k] = list->data[first + k < last ? first + k : last - 1];
+  return w;
+}
+
+static int block_matches(const gmds_id *data, const four *w)
+{
+  gmds_id any = 0;
+  const gmds_id w0 = w->id[0], w1 = w->id[1], w2 = w->id[2], w3 = w->id[3];
+  for (size_t k = 0; k < BLOCK; k++)
+    any |= (gmds_id)(data[k] == w0) | (gmds_id)(data[k] == w1) | (gmds_id)(data[k] == w2) | (gmds_id)(data[k] == w3);
+  return any != 0;
+}
+
+static int is_among(const few *f, const gmds_ids *list, gmds_id x)
+{
+  for (size_t i = f->first; i < f->last; i++)
+    if (list->data[i] == x)
+      return 1;
+  return 0;
+}
+
+/* The row whose entries include position p of the pool, or n_rows: free blocks hold old entries. */
+static size_t owner_of(const gmds_rows *rows, size_t end, size_t p)
+{
+  for (size_t base = 0; base < end; base += BLOCK) {
+    size_t n = end - base < BLOCK ? end - base : BLOCK;
+    unsigned any = 0;
+    for (size_t r = base; r < base + n; r++)
+      any |= (gmds_id)(p - rows->start[r]) < rows->length[r];
+    for (size_t r = base; any && r < base + n; r++)
+      if ((gmds_id)(p - rows->start[r]) < rows->length[r])
+        return r;
+  }
+  return end;
+}
+
+/* For a few cells the pool is searched as one array, and the rows only for what is found; else row by row. */
 gmds_status gmds_scan_rows(const gmds_rows *rows, size_t end, gmds_ids *list, size_t first, size_t last)
 {
   const few f = few_of(list, first, last);
+  const four wanted = four_of(list, first, last);
   size_t before = list->n;
-  for (size_t c = 0; c < end; c++) {
+  for (size_t base = 0; last - first <= FEW && base < rows->pool_used; base += BLOCK) {
+    size_t n = rows->pool_used - base < BLOCK ? rows->pool_used - base : BLOCK;
+    if (n == BLOCK && !block_matches(rows->pool + base, &wanted))
+      continue;
+    for (size_t p = base; p < base + n; p++) {
+      gmds_id x = rows->pool[p];
+      if (!may_have(&f, x) || !is_among(&f, list, x))
+        continue;
+      size_t c = owner_of(rows, end, p);
+      if (c < end)
+        GMDS_TRY(push_matches(&f, list, before, x, (gmds_id)c));
+    }
+  }
+  for (size_t c = 0; last - first > FEW && c < end; c++) {
     size_t n = 0;
     const gmds_id *row = gmds_rows_get(rows, c, &n);
     for (size_t k = 0; k < n; k++)
@@ -101,26 +164,15 @@ gmds_status gmds_scan_rows(const gmds_rows *rows, size_t end, gmds_ids *list, si
   return GMDS_OK;
 }
 
-/* Blocks of entries in which nothing matches are passed over with one branch; the compiler vectorises the inner loop. */
-enum { BLOCK = 64 };
-
-static int block_matches(const gmds_id *data, size_t n, const gmds_id *wanted, size_t n_wanted)
-{
-  unsigned any = 0;
-  for (size_t w = 0; w < n_wanted; w++)
-    for (size_t k = 0; k < n; k++)
-      any |= data[k] == wanted[w];
-  return any != 0;
-}
-
 gmds_status gmds_scan_inline(const gmds_id *data, size_t arity, const gmds_bits *alive, size_t end, gmds_ids *list,
                              size_t first, size_t last)
 {
   const few f = few_of(list, first, last);
+  const four wanted = four_of(list, first, last);
   size_t before = list->n, entries = end * arity;
   for (size_t base = 0; base < entries; base += BLOCK) {
     size_t n = entries - base < BLOCK ? entries - base : BLOCK;
-    if (n == BLOCK && last - first <= 8 && !block_matches(data + base, BLOCK, list->data + first, last - first))
+    if (n == BLOCK && last - first <= FEW && !block_matches(data + base, &wanted))
       continue;
     for (size_t e = base; e < base + n; e++)
       if (may_have(&f, data[e]) && gmds_bits_get(alive, e / arity))
