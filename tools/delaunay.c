@@ -1,5 +1,6 @@
 /* gmds delaunay: points to triangles. */
 #include "command.h"
+#include <gmds/predicates.h>
 #include <string.h>
 
 static void print_report(size_t points, const model_report *r, const char *model, int json)
@@ -17,6 +18,18 @@ static void print_report(size_t points, const model_report *r, const char *model
          "%.6f seconds, %zu bytes, %zu at the peak, checksum %016llx, model %s\n",
          points, r->duplicates, r->dimension, r->triangles, r->seconds, r->bytes, r->peak_bytes,
          (unsigned long long)r->sum, model);
+}
+
+/* Models that keep no order give triangles in any: turn them all counter-clockwise. */
+static void turn_left(gmds_soup *s)
+{
+  for (size_t c = 0; c < s->n_cells; c++) {
+    gmds_id *v = s->corners + s->begin[c], swap = v[1];
+    if (gmds_orient2d(s->points + 2 * v[0], s->points + 2 * v[1], s->points + 2 * v[2]) < 0) {
+      v[1] = v[2];
+      v[2] = swap;
+    }
+  }
 }
 
 static int run(const verb *v, int argc, char **argv)
@@ -65,6 +78,7 @@ static int run(const verb *v, int argc, char **argv)
     status = entry->triangulate(&task, &report);
     end_progress(&state);
   }
+  turn_left(&triangles);
   if (status == GMDS_OK && output)
     status = write_any(output, &triangles, &error);
   if (status == GMDS_OK)

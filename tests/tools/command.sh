@@ -1,0 +1,147 @@
+#!/usr/bin/env bash
+# Claims about the command: command.sh PATH_OF_GMDS. Prints each claim that fails; exits 1 if any does.
+set -u
+gmds=$1
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+cd "$dir" || exit 1
+failures=0
+claims=0
+
+fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
+
+# run CODE ARGUMENTS...: runs the command, keeps out and err, and claims the exit code; failures say one sentence.
+run() {
+  local code=$1
+  shift
+  claims=$((claims + 1))
+  "$gmds" "$@" >out 2>err
+  local got=$?
+  [ "$got" = "$code" ] || fail "gmds $*: exit $got, expected $code: $(cat err)"
+  if [ "$code" != 0 ] && [ "$(wc -l <err)" != 1 ]; then fail "gmds $*: not one sentence: $(cat err)"; fi
+}
+says() { grep -q -e "$1" err || fail "expected '$1' on stderr, found: $(cat err)"; }
+prints() { grep -q -e "$1" out || fail "expected '$1' on stdout, found: $(head -c 400 out)"; }
+absent() { [ ! -e "$1" ] || fail "$1 exists"; }
+empty_of_leftovers() { [ -z "$(find . -name '*.tmp*' -o -name '.*.gmds*' | head -1)" ] || fail "left behind: $(ls -A)"; }
+
+# ---- help and wrong usage
+run 0 --help && prints 'sweep'
+run 0 --version
+for verb in models sweep delaunay convert info check; do run 0 "$verb" --help && prints "usage: gmds $verb"; done
+run 2 nonsense && says "no verb 'nonsense'"
+run 2 delaunay && says 'missing'
+run 2 delaunay a b && says 'too many'
+run 2 delaunay --bogus x && says "no option '--bogus'"
+run 2 delaunay random:10:1 -o && says 'lacks its value'
+run 2 delaunay random:10:1 --dim 4
+run 2 delaunay random:10:1 --threads 0
+run 2 models --dim 5
+run 2 sweep --expect 123
+run 2 sweep --jobs zero
+run 2 models --csv=1
+
+# ---- models: the census
+run 0 models --dim 2 --csv
+[ "$(wc -l <out)" = 129 ] || fail "the census of dimension 2 has $(wc -l <out) lines"
+[ "$(head -1 out)" = "model,computable,identified,paper105,full,complete,cost_0_0,cost_0_1,cost_0_2,cost_1_0,cost_1_1,cost_1_2,cost_2_0,cost_2_1,cost_2_2" ] || fail "census header: $(head -1 out)"
+[ "$(awk -F, 'NR>1{s+=$2} END{print s}' out)" = 114 ] || fail "computable"
+[ "$(awk -F, 'NR>1{s+=$3} END{print s}' out)" = 96 ] || fail "identified"
+[ "$(awk -F, 'NR>1{s+=$4} END{print s}' out)" = 105 ] || fail "paper105"
+run 0 models --dim 3 --csv
+[ "$(awk -F, 'NR>1{s+=$2} END{print s}' out)" = 7854 ] || fail "computable in 3D"
+[ "$(awk -F, 'NR>1{s+=$3} END{print s}' out)" = 5856 ] || fail "identified in 3D"
+run 0 models 'N|F|F2N|F2F' && prints 'direct matrix' && prints '0 -> 2  global' && prints 'traversal of F2N'
+run 0 models 'N|E|F|R|N2E|E2N|E2F|F2E|F2R|R2F' && prints '2 2 x 2'
+run 1 models 'N|F|F2X' && says "'F2X'"
+run 1 models 'N||F' && says 'no cell'
+
+# ---- delaunay
+run 0 delaunay grid:35 --json && prints '"checksum":"ddcec7cabf7fc153"' && prints '"cells":2312' && prints '"dimension":2'
+for key in points duplicates dimension cells seconds bytes peak_bytes checksum; do prints "\"$key\":"; done
+run 0 delaunay random:1225:1 --model 'F|N|N2F' --json && prints '"checksum":"714e3f4d1a8d5edb"'
+run 0 delaunay random:50:1 -o square.off && run 0 check square.off --json && prints '"inconsistent_edges":0'
+run 0 delaunay random:50:1 --model 'N|F|N2F' -o unordered.vtk && run 0 check unordered.vtk --json &&
+  prints '"inconsistent_edges":0' && prints '"nonmanifold_edges":0'
+run 0 delaunay random:50:1 -o picture.svg && grep -q '<polygon' picture.svg || fail 'a picture has polygons'
+printf '0 0\n1 0\n2,0\n# a comment\n' >line.txt
+run 0 delaunay line.txt --json && prints '"dimension":1' && prints '"cells":0' && prints '"checksum":"0000000000000000"'
+printf '' >nothing.txt
+run 0 delaunay nothing.txt --json && prints '"dimension":-1'
+run 1 delaunay no_such_file.txt && says 'no_such_file.txt'
+printf '0 0\n1 nan\n' >nan.txt
+run 1 delaunay nan.txt -o bad.off && says 'nan.txt:2' && absent bad.off
+run 1 delaunay random:10:1 --model 'N|F' && says '2->0' && says 'add F2N'
+run 1 delaunay random:10:1 --model 'N|F|F2M' && says "'F2M'"
+run 1 delaunay random:10:1 --model 'N|F|F2F' && says '2->0'
+run 1 delaunay random:10:1 --model cmap
+run 1 delaunay random:abc && says 'random'
+run 1 delaunay random:10:1 -o no_such_folder/x.off && says 'no_such_folder'
+run 1 delaunay random:10:1 -o x.unknown && says 'unknown' && absent x.unknown
+run 1 delaunay random:99999999999:1 && says 'more cells'
+(ulimit -v 300000 && "$gmds" delaunay random:9000000:1 -o big.off >out 2>err)
+[ $? = 1 ] && says 'memory' && absent big.off
+empty_of_leftovers
+
+# ---- sweep
+run 0 sweep --points random:300:2 --csv sweep.csv --plot sweep.svg
+[ "$(wc -l <sweep.csv)" = 115 ] || fail "the sweep has $(wc -l <sweep.csv) lines"
+[ "$(head -1 sweep.csv)" = "model,points,cells,seconds,bytes,peak_bytes,checksum,status" ] || fail "sweep header"
+[ "$(grep -c ',ok$' sweep.csv)" = 114 ] || fail "rows that are ok"
+grep -q '</svg>' sweep.svg || fail 'the plot is cut short'
+run 0 sweep --points grid:35 --models all --expect ddcec7cabf7fc153 --jobs 2
+run 0 sweep --points random:1225:1 --models all --expect 714e3f4d1a8d5edb --csv all.csv
+[ "$(grep -c ',ok$' all.csv)" = 114 ] || fail "rows equal to CGAL's checksum"
+run 0 sweep --points random:1225:1 --models table4 --expect 714e3f4d1a8d5edb --csv table4.csv
+paper="2334720 2342912 3526656 3547136 4038656 5672960 5726208 5332992 5902336 2314240 5136384 2289664 942080 987136 4567040 1454080 1499136"
+row=2
+for bytes in $paper; do
+  ours=$(sed -n "${row}p" table4.csv | cut -d, -f5)
+  [ $((10 * ours)) -le "$bytes" ] || fail "row $((row - 1)) of Table 4: $ours bytes, the paper's $bytes"
+  row=$((row + 1))
+done
+run 0 sweep --points random:100:1 --models paper105 --csv p.csv
+[ "$(wc -l <p.csv)" = 106 ] || fail "paper105 has $(wc -l <p.csv) lines"
+run 0 sweep --points random:100:1 --models 'N|F|F2N,N|F|N2F' && prints '2 of 2'
+run 1 sweep --points random:100:1 --models all --expect 0123456789abcdef && says 'differ'
+run 1 sweep --points random:100:1 --models 'N|F|F2N,N|Q' && says "'Q'"
+run 1 sweep --points random:100:1 --models 'N|F|F2N' --csv no_such_folder/x.csv && says 'no_such_folder'
+run 1 sweep --points missing.xy
+
+# ---- convert, info, check
+cat >cube.off <<'END'
+OFF
+8 6 12
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+0 0 1
+1 0 1
+1 1 1
+0 1 1
+4 3 2 1 0
+4 4 5 6 7
+4 0 1 5 4
+4 1 2 6 5
+4 2 3 7 6
+4 3 0 4 7
+END
+run 0 convert cube.off cube.vtk && run 0 convert cube.vtk cube.mesh && run 0 convert cube.mesh back.off
+run 0 convert back.off again.mesh && cmp -s cube.mesh again.mesh || fail 'a round trip changes the mesh'
+run 0 info cube.vtk --json && prints '"quadrilateral":6' && prints '"points":8'
+run 0 check cube.off --json && prints '"euler":2' && prints '"border_edges":0' && prints '"inconsistent_edges":0'
+head -n 9 cube.off >cut.off
+run 1 info cut.off && says 'cut.off'
+run 1 convert cut.off cut.vtk && absent cut.vtk
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >index.off
+run 1 check index.off && says 'index.off:6'
+run 1 convert cube.off cube.xyzw && absent cube.xyzw
+run 2 convert cube.off
+run 1 info "$dir"
+cp cube.off same.off
+run 1 convert nan.txt same.off && cmp -s cube.off same.off || fail 'a failed run changed the file that was there'
+empty_of_leftovers
+
+echo "$claims runs, $failures claims failed"
+[ "$failures" = 0 ]
