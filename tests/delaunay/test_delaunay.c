@@ -112,6 +112,7 @@ START_TEST(made_up_points_give_their_delaunay_triangulation)
   from_spec("random:200:1");
   from_spec("clusters:150:2");
   from_spec("grid:11");
+  from_spec("grid:40"); /* large enough for rounds: points on sides of the hull that exist already */
   from_spec("circle:60");
 }
 END_TEST
@@ -194,6 +195,22 @@ START_TEST(equal_points_share_a_node_and_minus_zero_is_zero)
     gmds_delaunay_result_clear(&o.result);
   }
   triangulate_everywhere(8, xy);
+}
+END_TEST
+
+START_TEST(a_node_never_has_minus_zero)
+{
+  const double xy[] = {-0.0, -0.0, 1, -0.0, -0.0, 1};
+  gmds_memory memory;
+  gmds_soup soup;
+  outcome o;
+  gmds_memory_init(&memory, NULL);
+  gmds_soup_init(&soup, &memory, 2);
+  ck_assert_int_eq(best_run(3, xy, NULL, &o, &soup), GMDS_OK);
+  for (size_t k = 0; k < 6; k++)
+    ck_assert(!signbit(soup.points[k]));
+  gmds_soup_clear(&soup);
+  gmds_delaunay_result_clear(&o.result);
 }
 END_TEST
 
@@ -366,7 +383,7 @@ END_TEST
 RUN_SUITE("delaunay", made_up_points_give_their_delaunay_triangulation,
           every_order_of_up_to_six_points_gives_the_same_triangles,
           few_points_and_points_on_a_line_give_their_dimension_and_chain,
-          equal_points_share_a_node_and_minus_zero_is_zero, extreme_coordinates_are_exact,
+          equal_points_share_a_node_and_minus_zero_is_zero, a_node_never_has_minus_zero, extreme_coordinates_are_exact,
           scaling_by_powers_of_two_and_exact_translation_change_nothing,
           nan_and_infinity_are_named_and_leave_the_mesh_empty, a_cancelled_triangulation_leaves_the_mesh_empty,
           a_mesh_that_is_not_empty_is_refused_unchanged, every_failing_allocation_leaves_the_mesh_empty,
