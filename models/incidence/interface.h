@@ -87,7 +87,7 @@ static inline gmds_status get_adj_1_1(const mesh *m, gmds_id e, gmds_ids *out);
 #elif GMDS__PATH_1_1
 GMDS__UNDECIDED(1, 1) gmds_status get_adj_1_1(const mesh *m, gmds_id e, gmds_ids *out);
 #else
-GMDS__SORRY(1, 1, GMDS_PATHS_1_1) gmds_status get_adj_1_1(const mesh *m, gmds_id e, gmds_ids *out);
+GMDS__CANNOT(1, 1, "E2N or N2E") gmds_status get_adj_1_1(const mesh *m, gmds_id e, gmds_ids *out);
 #endif
 #if GMDS__CAN_1_2
 static inline gmds_status get_adj_1_2(const mesh *m, gmds_id e, gmds_ids *out);
