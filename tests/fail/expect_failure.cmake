@@ -4,6 +4,7 @@
 file(STRINGS ${SOURCE} expect REGEX "^// expect: ")
 file(STRINGS ${SOURCE} flags REGEX "^// flags: ")
 string(REGEX REPLACE "^// expect: " "" expect "${expect}")
+string(REPLACE "\\;" ";" expect "${expect}")
 string(REGEX REPLACE "^// flags: " "" flags "${flags}")
 separate_arguments(flags)
 if(NOT expect)
