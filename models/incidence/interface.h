@@ -10,8 +10,8 @@ typedef struct mesh mesh;
 /* ---- life
 
  * An empty mesh. allocator: where its memory comes from; NULL stands for the C library's. Allocates nothing. Do not copy
- * or move the structure while it is in use. */
-static inline void mesh_init(mesh *m, const gmds_allocator *allocator);
+ * or move the structure while it is in use. GMDS_OK, always: the status begins a chain of calls. */
+static inline gmds_status mesh_init(mesh *m, const gmds_allocator *allocator);
 
 /* Frees everything. The mesh is empty and usable; memory.peak goes on. */
 static inline void mesh_clear(mesh *m);

@@ -1,6 +1,7 @@
 # cmake -DCOMPILERS=... -DINCLUDES=... -DOBJECT=... -DSOURCE=... -P expect_failure.cmake
 # Compiles SOURCE by each compiler; the first error must hold the sentence of its `// expect:` line. A `// flags:` line
 # adds flags.
+cmake_minimum_required(VERSION 3.25)
 file(STRINGS ${SOURCE} expect REGEX "^// expect: ")
 file(STRINGS ${SOURCE} flags REGEX "^// flags: ")
 string(REGEX REPLACE "^// expect: " "" expect "${expect}")

@@ -1,6 +1,7 @@
 # cmake -DCOMPILERS=... -DINCLUDES=... -DSOURCE=model.c -P leftovers.cmake
 # Nothing of a closed model is left but names that begin with its prefix: its macros are compared with those of the same
 # file without the model, its functions, tags and types are read from the preprocessed text.
+cmake_minimum_required(VERSION 3.25)
 list(TRANSFORM INCLUDES PREPEND -I)
 set(ENV{LC_ALL} C)
 
