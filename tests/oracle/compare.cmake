@@ -2,6 +2,7 @@
 #   expected  each line of expected.txt (SPEC CHECKSUM) is what PROGRAM prints
 #   files     on every point set of FOLDER (.xy, .xyz; .xz unpacked by XZ into SCRATCH) OURS prints what ORACLE prints
 #   write     writes expected.txt anew: its SPECs, and what ORACLE prints
+cmake_minimum_required(VERSION 3.25)
 set(list ${CMAKE_CURRENT_LIST_DIR}/expected.txt)
 
 function(checksum program spec result)
