@@ -90,7 +90,8 @@ static gmds_status make_clusters(const spec *s, gmds_soup *soup)
   }
   soup->n_points = (size_t)s->n;
   for (size_t p = 0; p < soup->n_points; p++) {
-    const uint64_t which = gmds_mersenne_bits(&random) % clusters; /* NOLINT(clang-analyzer-core.DivideZero): 1 at least */
+    const uint64_t which =
+        gmds_mersenne_bits(&random) % clusters; /* NOLINT(clang-analyzer-core.DivideZero): 1 at least */
     const double *centre = cluster + which * width;
     for (size_t d = 0; d + 1 < width; d++) {
       double offset = -2;
