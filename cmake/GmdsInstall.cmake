@@ -1,4 +1,5 @@
-# cmake --install: headers (templates included), library, package files for find_package(gmds) and pkg-config.
+# cmake --install: headers (templates included), library, package files for find_package(gmds) and pkg-config. What is
+# installed can be moved as a whole: the package files find the rest from where they lie.
 include(CMakePackageConfigHelpers)
 set(GMDS_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/gmds)
 install(TARGETS gmds EXPORT gmdsTargets)
@@ -12,5 +13,18 @@ configure_package_config_file(cmake/gmdsConfig.cmake.in ${PROJECT_BINARY_DIR}/gm
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/gmdsConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/gmdsConfig.cmake ${PROJECT_BINARY_DIR}/gmdsConfigVersion.cmake
   DESTINATION ${GMDS_PACKAGE_DIR})
+
+set(GMDS_PC_PREFIX ${CMAKE_INSTALL_PREFIX})
+set(GMDS_PC_LIBDIR ${CMAKE_INSTALL_FULL_LIBDIR})
+set(GMDS_PC_INCLUDEDIR ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+if(NOT IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
+  cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig
+    OUTPUT_VARIABLE up)
+  set(GMDS_PC_PREFIX "\${pcfiledir}/${up}")
+  set(GMDS_PC_LIBDIR "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
+  if(NOT IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
+    set(GMDS_PC_INCLUDEDIR "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
+  endif()
+endif()
 configure_file(cmake/gmds.pc.in ${PROJECT_BINARY_DIR}/gmds.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/gmds.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -74,7 +74,7 @@ static void build_table(gmds_rows *rows, size_t r)
 }
 
 /* Empties a slot and closes the gap in its chain (Knuth 6.4, algorithm R). */
-static void erase_slot(gmds_rows *rows, size_t r, gmds_id *slot)
+static void erase_slot(gmds_rows *rows, size_t r, const gmds_id *slot)
 {
   gmds_id *row = rows->pool + rows->start[r];
   size_t n = entries_of(rows->size[r]), mask = 2 * n - 1;

@@ -48,18 +48,19 @@ static const double *point_of(const sorter *s, item it)
 static int frame_init(frame *f, const sorter *s, size_t n, const item *items)
 {
   double low[3] = {DBL_MAX, DBL_MAX, DBL_MAX}, high[3] = {-DBL_MAX, -DBL_MAX, -DBL_MAX}, extent = 0;
+  const int dim = s->dim == 3 ? 3 : 2;
   for (size_t i = 0; i < n; i++) {
     const double *p = point_of(s, items[i]);
-    for (int k = 0; k < s->dim; k++) {
+    for (int k = 0; k < dim; k++) {
       low[k] = p[k] < low[k] ? p[k] : low[k];
       high[k] = p[k] > high[k] ? p[k] : high[k];
     }
   }
   f->half = 1;
-  for (int k = 0; k < s->dim; k++)
+  for (int k = 0; k < dim; k++)
     if (high[k] - low[k] > DBL_MAX)
       f->half = 0.5;
-  for (int k = 0; k < s->dim; k++) {
+  for (int k = 0; k < dim; k++) {
     f->low[k] = low[k] * f->half;
     double width = high[k] * f->half - f->low[k];
     extent = width > extent ? width : extent;
@@ -68,7 +69,7 @@ static int frame_init(frame *f, const sorter *s, size_t n, const item *items)
     return 0;
   /* The widest side takes all cells: its ends are in the first and the last, whatever the roundings, so that a box
    * always falls apart. */
-  double cells = (s->dim == 2 ? 1 << HILBERT_BITS_2D : 1 << HILBERT_BITS_3D) - 0x1p-4;
+  double cells = (dim == 2 ? 1 << HILBERT_BITS_2D : 1 << HILBERT_BITS_3D) - 0x1p-4;
   f->first = extent < 0x1p-900 ? 0x1p600 : 1;
   f->second = cells / (extent * f->first);
   return 1;

@@ -90,7 +90,9 @@ static gmds_status make_clusters(const spec *s, gmds_soup *soup)
   }
   soup->n_points = (size_t)s->n;
   for (size_t p = 0; p < soup->n_points; p++) {
-    const double *centre = cluster + gmds_mersenne_bits(&random) % clusters * width;
+    const uint64_t which =
+        gmds_mersenne_bits(&random) % clusters; /* NOLINT(clang-analyzer-core.DivideZero): 1 at least */
+    const double *centre = cluster + which * width;
     for (size_t d = 0; d + 1 < width; d++) {
       double offset = -2;
       for (int k = 0; k < 4; k++)
@@ -140,7 +142,7 @@ gmds_status gmds_make_points(const char *text, int dim, gmds_error *error, gmds_
     return gmds_fail(error, GMDS_ERR_ARGUMENT, "%.200s: the soup to make points in is not empty", text);
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     size_t n = strlen(rows[i].word);
-    if (strncmp(text, rows[i].word, n) || text[n] != ':')
+    if (strncmp(text, rows[i].word, n) != 0 || text[n] != ':')
       continue;
     if (!parse_spec(text + n + 1, rows[i].seed, &s))
       return gmds_fail(error, GMDS_ERR_ARGUMENT, "%.200s: expected %s with whole numbers from 0", text, rows[i].form);

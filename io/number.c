@@ -143,7 +143,7 @@ size_t gmds_print_double(char text[GMDS_DOUBLE_TEXT], double x)
 {
   double back;
   int n = snprintf(text, GMDS_DOUBLE_TEXT, "%.15g", x);
-  if (gmds_parse_double(text, (size_t)n, &back) != GMDS_NUMBER_OK || memcmp(&back, &x, sizeof x))
+  if (gmds_parse_double(text, (size_t)n, &back) != GMDS_NUMBER_OK || memcmp(&back, &x, sizeof x) != 0)
     n = snprintf(text, GMDS_DOUBLE_TEXT, "%.17g", x);
   return (size_t)n;
 }

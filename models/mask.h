@@ -5,6 +5,12 @@
  * and refuses masks that contradict themselves. */
 #include <gmds/models/letters_on.h>
 
+#if (GMDS_MODEL + 0) == 0
+#  error "gmds: GMDS_MODEL is empty or misspelt: name what the model keeps and stores, for instance (N|F|F2N|F2F)"
+#  undef GMDS_MODEL
+#  define GMDS_MODEL (N | F) /* so that nothing more is said */
+#endif
+
 /* The compiler reads the mask too: a misspelt relation, 0 to the preprocessor, is an undeclared name to it. */
 enum { GMDS_FN(model) = (GMDS_MODEL) };
 
@@ -110,6 +116,7 @@ enum { GMDS_FN(model) = (GMDS_MODEL) };
 #endif
 #if (GMDS_MODEL) & DIM2 && (GMDS_MODEL) & DIM3
 #  error "gmds: GMDS_MODEL has both DIM2 and DIM3: a node has two coordinates or three"
+#  define GMDS__DIM 2
 #elif (GMDS_MODEL) & DIM3
 #  define GMDS__DIM 3
 #else
@@ -119,7 +126,6 @@ enum { GMDS_FN(model) = (GMDS_MODEL) };
 #ifndef GMDS_FACES
 #  define GMDS_FACES (TRIANGLE | QUADRILATERAL | POLYGON)
 #endif
-enum { GMDS_FN(faces) = (GMDS_FACES) };
 #if (GMDS_FACES) == TRIANGLE
 #  define GMDS__SIDES 3
 #  define GMDS__SIMPLICIAL 1
@@ -131,7 +137,12 @@ enum { GMDS_FN(faces) = (GMDS_FACES) };
 #  define GMDS__SIMPLICIAL 0
 #else
 #  error "gmds: GMDS_FACES must be TRIANGLE, QUADRILATERAL, POLYGON, or several with | between them"
+#  undef GMDS_FACES
+#  define GMDS_FACES TRIANGLE /* so that nothing more is said */
+#  define GMDS__SIDES 3
+#  define GMDS__SIMPLICIAL 1
 #endif
+enum { GMDS_FN(faces) = (GMDS_FACES) };
 #if (GMDS_FACES) & TRIANGLE
 #  define GMDS__TRIANGLES 1
 #else

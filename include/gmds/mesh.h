@@ -9,51 +9,57 @@
  *
  * The path of every query is chosen here, by the preprocessor, from the composition tables (models/tables.h). The
  * functions are declared in models/incidence/interface.h, which is the place to read what a mesh can do. */
-#ifdef GMDS__OPEN
+#if defined GMDS__OPEN
 #  error "gmds: a model is still open; include <gmds/end.h> before the next <gmds/mesh.h>"
-#endif
-#ifndef GMDS_PREFIX
-#  error "gmds: define GMDS_PREFIX, the first part of the model's names, before including <gmds/mesh.h>"
-#endif
-#ifndef GMDS_MODEL
-#  error "gmds: define GMDS_MODEL, for instance (N|F|F2N|F2F), before including <gmds/mesh.h>"
-#endif
-#define GMDS__OPEN 1
+#elif defined __cplusplus
+#  error "gmds: models are C: open them in a file that a C compiler reads"
+#else
+#  define GMDS__OPEN 1
 
-#include <gmds/cells.h>
-#include <gmds/census.h>
-#include <gmds/check.h>
-#include <gmds/checksum.h>
-#include <gmds/hops.h>
-#include <gmds/ids.h>
-#include <gmds/models/choice.h>
-#include <gmds/relations.h>
-#include <gmds/rows.h>
-#include <gmds/soup.h>
-#include <gmds/template.h>
-#include <gmds/topology.h>
-#include <string.h>
+#  ifndef GMDS_PREFIX
+#    error "gmds: define GMDS_PREFIX, the first part of the model's names, before including <gmds/mesh.h>"
+#  endif
+#  ifndef GMDS_MODEL
+#    error "gmds: define GMDS_MODEL, for instance (N|F|F2N|F2F), before including <gmds/mesh.h>"
+#    define GMDS_MODEL (N | F) /* so that nothing more is said */
+#  endif
 
-#ifndef GMDS_BACKEND
-#  define GMDS_BACKEND GMDS_INCIDENCE
-#endif
-#if GMDS_BACKEND != GMDS_INCIDENCE
-#  error "gmds: GMDS_BACKEND must be GMDS_INCIDENCE"
-#endif
+#  include <gmds/cells.h>
+#  include <gmds/census.h>
+#  include <gmds/check.h>
+#  include <gmds/checksum.h>
+#  include <gmds/hops.h>
+#  include <gmds/ids.h>
+#  include <gmds/models/choice.h>
+#  include <gmds/relations.h>
+#  include <gmds/rows.h>
+#  include <gmds/soup.h>
+#  include <gmds/template.h>
+#  include <gmds/topology.h>
+#  include <string.h>
 
-#include <gmds/models/mask.h>
-#include <gmds/models/paths.h>
+#  ifndef GMDS_BACKEND
+#    define GMDS_BACKEND GMDS_INCIDENCE
+#  endif
+#  if GMDS_BACKEND != GMDS_INCIDENCE
+#    error "gmds: GMDS_BACKEND must be GMDS_INCIDENCE"
+#  endif
 
-#include <gmds/models/incidence/names.h>
-#include <gmds/models/incidence/interface.h>
-#include <gmds/models/incidence/structure.h>
-#include <gmds/models/incidence/query.h>
-#include <gmds/models/incidence/side.h>
-#include <gmds/models/incidence/find.h>
-#include <gmds/models/incidence/add.h>
-#include <gmds/models/incidence/remove.h>
-#include <gmds/models/incidence/star.h>
-#include <gmds/models/incidence/bulk.h>
-#include <gmds/models/incidence/compact.h>
-#include <gmds/models/incidence/check.h>
-#include <gmds/models/incidence/exchange.h>
+#  include <gmds/models/mask.h>
+#  include <gmds/models/paths.h>
+
+#  include <gmds/models/incidence/names.h>
+#  include <gmds/models/incidence/interface.h>
+#  include <gmds/models/incidence/structure.h>
+#  include <gmds/models/incidence/query.h>
+#  include <gmds/models/incidence/side.h>
+#  include <gmds/models/incidence/find.h>
+#  include <gmds/models/incidence/add.h>
+#  include <gmds/models/incidence/remove.h>
+#  include <gmds/models/incidence/star.h>
+#  include <gmds/models/incidence/bulk.h>
+#  include <gmds/models/incidence/compact.h>
+#  include <gmds/models/incidence/check.h>
+#  include <gmds/models/incidence/exchange.h>
+
+#endif /* neither open nor C++ */

@@ -10,8 +10,8 @@ typedef struct mesh mesh;
 /* ---- life
 
  * An empty mesh. allocator: where its memory comes from; NULL stands for the C library's. Allocates nothing. Do not copy
- * or move the structure while it is in use. */
-static inline void mesh_init(mesh *m, const gmds_allocator *allocator);
+ * or move the structure while it is in use. GMDS_OK, always: the status begins a chain of calls. */
+static inline gmds_status mesh_init(mesh *m, const gmds_allocator *allocator);
 
 /* Frees everything. The mesh is empty and usable; memory.peak goes on. */
 static inline void mesh_clear(mesh *m);
@@ -87,7 +87,7 @@ static inline gmds_status get_adj_1_1(const mesh *m, gmds_id e, gmds_ids *out);
 #elif GMDS__PATH_1_1
 GMDS__UNDECIDED(1, 1) gmds_status get_adj_1_1(const mesh *m, gmds_id e, gmds_ids *out);
 #else
-GMDS__SORRY(1, 1, GMDS_PATHS_1_1) gmds_status get_adj_1_1(const mesh *m, gmds_id e, gmds_ids *out);
+GMDS__CANNOT(1, 1, "E2N or N2E") gmds_status get_adj_1_1(const mesh *m, gmds_id e, gmds_ids *out);
 #endif
 #if GMDS__CAN_1_2
 static inline gmds_status get_adj_1_2(const mesh *m, gmds_id e, gmds_ids *out);

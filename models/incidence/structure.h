@@ -76,7 +76,7 @@ struct mesh {
 #undef GMDS__ROWS_FIELD
 #undef GMDS__INLINE_FIELD
 
-static inline void mesh_init(mesh *m, const gmds_allocator *allocator)
+static inline gmds_status mesh_init(mesh *m, const gmds_allocator *allocator)
 {
   memset(m, 0, sizeof *m);
   gmds_memory_init(&m->memory, allocator);
@@ -94,6 +94,7 @@ static inline void mesh_init(mesh *m, const gmds_allocator *allocator)
 #undef GMDS__INIT_ORDERED
   gmds_ids_init(&m->plan, &m->memory);
   gmds_ids_init(&m->found, &m->memory);
+  return GMDS_OK;
 }
 
 static inline void empty(mesh *m)

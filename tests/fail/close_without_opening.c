@@ -1,0 +1,2 @@
+// expect: gmds: <gmds/end.h> without <gmds/mesh.h>
+#include <gmds/end.h>

@@ -1,0 +1,28 @@
+# cmake -DCOMPILERS=... -DINCLUDES=... -DOBJECT=... -DSOURCE=... -P expect_failure.cmake
+# Compiles SOURCE by each compiler; the first error must hold the sentence of its `// expect:` line. A `// flags:` line
+# adds flags.
+cmake_minimum_required(VERSION 3.25)
+file(STRINGS ${SOURCE} expect REGEX "^// expect: ")
+file(STRINGS ${SOURCE} flags REGEX "^// flags: ")
+string(REGEX REPLACE "^// expect: " "" expect "${expect}")
+string(REPLACE "\\;" ";" expect "${expect}")
+string(REGEX REPLACE "^// flags: " "" flags "${flags}")
+separate_arguments(flags)
+if(NOT expect)
+  message(FATAL_ERROR "${SOURCE} says nothing of what to expect")
+endif()
+list(TRANSFORM INCLUDES PREPEND -I)
+set(ENV{LC_ALL} C)
+foreach(compiler ${COMPILERS})
+  execute_process(COMMAND ${compiler} ${flags} ${INCLUDES} -c ${SOURCE} -o ${OBJECT}
+    RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(NOT failed)
+    message(SEND_ERROR "${compiler} compiles ${SOURCE}, which should fail with: ${expect}")
+    continue()
+  endif()
+  string(REGEX MATCH "error:[^\n]*" first "${said}")
+  string(FIND "${first}" "${expect}" at)
+  if(at EQUAL -1)
+    message(SEND_ERROR "the first error of ${compiler} does not say: ${expect}\n${said}")
+  endif()
+endforeach()

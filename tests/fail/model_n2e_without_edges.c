@@ -1,0 +1,5 @@
+// expect: gmds: GMDS_MODEL stores a relation of edges but keeps none: add E
+#define GMDS_PREFIX tri
+#define GMDS_MODEL (N | F | N2E)
+#include <gmds/mesh.h>
+#include <gmds/end.h>

@@ -1,0 +1,5 @@
+// expect: gmds: a model keeps nodes and faces: add N|F to GMDS_MODEL
+#define GMDS_PREFIX tri
+#define GMDS_MODEL (N | E | E2N)
+#include <gmds/mesh.h>
+#include <gmds/end.h>

@@ -1,0 +1,17 @@
+/* A model and its algorithms, opened and closed; without MODEL only the headers that they rest on. */
+#include <gmds/models/choice.h>
+#include <gmds/models/tables.h>
+#include "headers.h"
+#include <string.h>
+#ifdef MODEL
+#  define GMDS_PREFIX some
+#  define GMDS_MODEL MODEL
+#  ifdef FACES
+#    define GMDS_FACES FACES
+#  endif
+#  include <gmds/mesh.h>
+#  include <gmds/algorithms/delaunay.h>
+#  include <gmds/end.h>
+#  undef MODEL
+#  undef FACES
+#endif
