@@ -1,20 +1,9 @@
 /* Every query of every compiled model against brute force: on fixed meshes where sharing nodes is not sharing a side, and
- * after random creation and deletion. GMDS_SHARD=k/n in the environment takes every n-th model from the k-th on. */
+ * after random creation and deletion. */
 #include "models/subject.h"
 #include <gmds/census.h>
 
 static subject one;
-
-/* The next model of this shard after k. */
-static size_t next_model(size_t k, size_t *step)
-{
-  size_t first = 0, n = 1;
-  const char *shard = getenv("GMDS_SHARD");
-  if (shard && sscanf(shard, "%zu/%zu", &first, &n) != 2)
-    ck_abort_msg("GMDS_SHARD is '%s', not k/n", shard);
-  *step = n;
-  return k < n ? first % n : k;
-}
 
 START_TEST(paths_of_the_preprocessor_are_those_of_the_census)
 {
@@ -79,8 +68,7 @@ static void add_grid(subject *s, gmds_id w, gmds_id h, int kind)
 
 START_TEST(answers_are_exact_on_regular_meshes)
 {
-  size_t step = 1;
-  for (size_t k = next_model(0, &step); k < n_models; k += step)
+  for (size_t k = 0; k < n_models; k++)
     for (int kind = 0; kind < (all_models[k]->faces == 1 ? 1 : 3); kind++) {
       subject_begin(&one, all_models[k], 1);
       subject_compare(&one);
@@ -111,8 +99,8 @@ static const trap traps[] = {
 
 START_TEST(answers_are_exact_where_shared_nodes_mislead)
 {
-  size_t step = 1, refused = 0;
-  for (size_t k = next_model(0, &step); k < n_models; k += step)
+  size_t refused = 0;
+  for (size_t k = 0; k < n_models; k++)
     for (size_t t = 0; t < sizeof traps / sizeof *traps; t++) {
       subject_begin(&one, all_models[k], 1);
       add_nodes(&one, 10);
@@ -204,11 +192,11 @@ static void thin_out(subject *s)
 
 START_TEST(answers_are_exact_after_creation_and_deletion)
 {
-  size_t step = 1, done = 0, refused = 0;
-  for (size_t k = next_model(0, &step); k < n_models; k += step) {
+  size_t done = 0, refused = 0;
+  for (size_t k = 0; k < n_models; k++) {
     subject_begin(&one, all_models[k], 1000 + k);
     add_nodes(&one, 7);
-    for (int round = 0; round < 3; round++) {
+    for (int round = 0; round < 6; round++) {
       for (int i = 0; i < 60; i++) {
         random_step(&one);
         if (i % 10 == 9)
