@@ -1,5 +1,5 @@
-/* A compiled model as a table of functions over an opaque mesh, so that what is compiled once for each model stays small:
- * every test of this folder is written once over this table. */
+/* A compiled model as a table of functions over an opaque mesh, so that what is compiled once for each model stays
+ * small: every test of this folder is written once over this table. */
 #ifndef GMDS_TESTS_MODEL_H
 #define GMDS_TESTS_MODEL_H
 

@@ -1,7 +1,7 @@
 /* The reference of the tests of models: a mesh without a model, and the definition of every query by brute force.
  *
- * Cells are kept under the identifiers that the model under test gave. A face is its nodes in order; an edge is a pair of
- * nodes, whatever the model knows of it. */
+ * Cells are kept under the identifiers that the model under test gave. A face is its nodes in order; an edge is a pair
+ * of nodes, whatever the model knows of it. */
 #ifndef GMDS_TESTS_REFERENCE_H
 #define GMDS_TESTS_REFERENCE_H
 

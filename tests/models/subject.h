@@ -15,9 +15,9 @@ typedef struct subject {
   int64_t tags;       /* given to cells so far */
   gmds_memory memory; /* of the lists of the test */
   gmds_ids list;
-  failing from; /* the allocator of the mesh */
-  int inject;   /* let the k-th allocation of every operation fail, for every k until it succeeds */
-  long attempt; /* the k under way */
+  failing from;         /* the allocator of the mesh */
+  int inject;           /* let the k-th allocation of every operation fail, for every k until it succeeds */
+  long attempt;         /* the k under way */
   size_t done, refused; /* operations that the model carried out, and refused as it had to */
 } subject;
 
@@ -49,14 +49,15 @@ void subject_compare(subject *s);
 
 /* What a mask implies. */
 int stores(const model *m, int i, int j);
-int links_edges(const model *m);  /* edges know nodes, or nodes edges */
-int makes_edges(const model *m);  /* faces find or make their edges */
-int finds_faces(const model *m);  /* the faces at a side can be looked up */
-int needs_links(const model *m);  /* add_face cannot look up what it must link */
-int allows(const model *m, size_t n); /* faces of n sides */
+int links_edges(const model *m);        /* edges know nodes, or nodes edges */
+int makes_edges(const model *m);        /* faces find or make their edges */
+int finds_faces(const model *m);        /* the faces at a side can be looked up */
+int needs_links(const model *m);        /* add_face cannot look up what it must link */
+int allows(const model *m, size_t n);   /* faces of n sides */
 gmds_edges usual_edges(const model *m); /* what becomes of the edges of faces: unlinked ones must not stay alone */
 
 #define subject_fail(s, ...) subject_fail_at(s, __LINE__, __VA_ARGS__)
-__attribute__((noreturn, format(printf, 3, 4))) void subject_fail_at(const subject *s, int line, const char *format, ...);
+__attribute__((noreturn, format(printf, 3, 4))) void subject_fail_at(const subject *s, int line, const char *format,
+                                                                     ...);
 
 #endif

@@ -186,13 +186,13 @@ static stored_relation GMDS_FN(do_stored)(void *m, int i, int j)
   mesh *own = m;
   stored_relation s = {NULL, NULL, 0, GMDS__CODED && i == 2 && j == 2};
   (void)own;
-#define TEST_ROWS(a, b)                                                                                                \
-  if (i == a && j == b)                                                                                                \
+#define TEST_ROWS(a, b) \
+  if (i == a && j == b) \
     s.rows = &own->r_##a##_##b;
-#define TEST_COLUMN(a, b)                                                                                              \
-  if (i == a && j == b) {                                                                                              \
-    s.column = &own->r_##a##_##b;                                                                                      \
-    s.arity = GMDS__ARITY_##a;                                                                                         \
+#define TEST_COLUMN(a, b)         \
+  if (i == a && j == b) {         \
+    s.column = &own->r_##a##_##b; \
+    s.arity = GMDS__ARITY_##a;    \
   }
   GMDS__EACH_POOLED(TEST_ROWS)
   GMDS__EACH_INLINE(TEST_COLUMN)

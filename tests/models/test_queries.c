@@ -1,5 +1,5 @@
-/* Every query of every compiled model against brute force: on fixed meshes where sharing nodes is not sharing a side, and
- * after random creation and deletion. */
+/* Every query of every compiled model against brute force: on fixed meshes where sharing nodes is not sharing a side,
+ * and after random creation and deletion. */
 #include "models/subject.h"
 #include <gmds/census.h>
 
@@ -43,8 +43,8 @@ static void add_nodes(subject *s, size_t n)
     subject_add_node(s);
 }
 
-/* A strip of w by h squares, cut in two, whole, or joined to hexagons, as the model and `kind` allow; two isolated nodes
- * at the end. */
+/* A strip of w by h squares, cut in two, whole, or joined to hexagons, as the model and `kind` allow; two isolated
+ * nodes at the end. */
 static void add_grid(subject *s, gmds_id w, gmds_id h, int kind)
 {
   gmds_id row = w + 1, first = (gmds_id)s->ref.end[0];
@@ -79,8 +79,8 @@ START_TEST(answers_are_exact_on_regular_meshes)
 }
 END_TEST
 
-/* Meshes on which multiplicities of nodes mislead. Faces as lists of nodes, 0 ends one (so nodes count from 1); a list of
- * two is an edge without a face, added in models where edges know nodes. */
+/* Meshes on which multiplicities of nodes mislead. Faces as lists of nodes, 0 ends one (so nodes count from 1); a list
+ * of two is an edge without a face, added in models where edges know nodes. */
 typedef struct trap {
   const char *name;
   unsigned char cells[8][8];
