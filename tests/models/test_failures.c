@@ -12,6 +12,13 @@ static const model *with_algorithms(size_t k)
   return all_models[k]->algorithms ? all_models[k] : NULL;
 }
 
+/* A model that can triangulate: its first triangles are looked up. */
+static const model *with_delaunay(size_t k)
+{
+  const model *m = with_algorithms(k);
+  return m && m->algorithms->do_delaunay && !needs_links(m) ? m : NULL;
+}
+
 /* ---- elementary operations */
 
 static void trim(subject *s)
@@ -142,8 +149,8 @@ START_TEST(a_triangulation_without_memory_leaves_the_mesh_empty)
   uint64_t first = 0;
   make_points(xy);
   for (size_t k = 0; k < n_models; k++) {
-    const model *m = with_algorithms(k);
-    if (!m || !m->algorithms->do_delaunay)
+    const model *m = with_delaunay(k);
+    if (!m)
       continue;
     subject_begin(&one, m, 1);
     gmds_allocator allocator = failing_allocator(&one.from);
@@ -303,8 +310,8 @@ START_TEST(a_triangulation_beyond_the_limit_leaves_the_mesh_empty)
   double xy[2 * POINTS];
   make_points(xy);
   for (size_t k = 0; k < n_models; k++) {
-    const model *m = with_algorithms(k);
-    if (!m || !m->algorithms->do_delaunay)
+    const model *m = with_delaunay(k);
+    if (!m)
       continue;
     for (int i = 0; i < (makes_edges(m) ? 3 : 2); i++) {
       static const int dimensions[] = {0, 2, 1};
@@ -337,8 +344,8 @@ START_TEST(a_cancelled_triangulation_leaves_the_mesh_empty)
     xy[i] = random_unit(&seed);
   size_t cancelled = 0;
   for (size_t k = 0; k < n_models; k++) {
-    const model *m = with_algorithms(k);
-    if (!m || !m->algorithms->do_delaunay || !m->crosses)
+    const model *m = with_delaunay(k);
+    if (!m || !m->crosses)
       continue; /* models without neighbours at hand would take minutes */
     subject_begin(&one, m, 1);
     size_t calls = 0;
@@ -407,8 +414,8 @@ END_TEST
 START_TEST(points_that_are_not_finite_change_nothing)
 {
   for (size_t k = 0; k < n_models; k++) {
-    const model *m = with_algorithms(k);
-    if (!m || !m->algorithms->do_delaunay)
+    const model *m = with_delaunay(k);
+    if (!m)
       continue;
     subject_begin(&one, m, 1);
     const double xy[8] = {0, 0, 1, 0, 0, INFINITY, 1, 1};
