@@ -61,7 +61,8 @@ gmds_status gmds_cells_resize(gmds_cells *cells, size_t capacity)
 size_t gmds_cells_needed(const gmds_cells *cells, size_t more)
 {
   size_t holes = cells->end - cells->count;
-  if (more <= holes || more - holes <= cells->capacity - cells->end)
+  size_t room = cells->capacity < cells->limit ? cells->capacity : cells->limit; /* the limit may have been lowered */
+  if (more <= holes || (cells->end <= room && more - holes <= room - cells->end))
     return cells->capacity;
   if (more - holes > SIZE_MAX - cells->end)
     return SIZE_MAX;

@@ -19,6 +19,7 @@ typedef struct row {
 #define END {0, 0, 0, {0}, {0}}
 #define LIST(i, j, PATHS) [4 * i + j] = (const row[]){PATHS(P1, P2, P3, P4) END},
 static const row *const rows_of[16] = {GMDS_PAIR_LIST(LIST)};
+static const row joined_by_edges[] = {GMDS_PATHS_0_0_BY_EDGES(P1, P2, P3, P4) END};
 #undef LIST
 
 static int stored(unsigned mask, int a, int b)
@@ -67,12 +68,19 @@ static unsigned exact_types(unsigned mask, const row *r)
   return all;
 }
 
+/* The rows that a mask may take from i to j. */
+static const row *rows_for(unsigned mask, int i, int j)
+{
+  int linked = stored(mask, 0, 1) || stored(mask, 1, 0);
+  return i == 0 && j == 0 && linked ? joined_by_edges : rows_of[4 * i + j];
+}
+
 gmds_path gmds_path_of(unsigned mask, int i, int j)
 {
   gmds_path path = {.cost = GMDS_COST_NONE};
   const row *best = NULL;
   int best_inverse = 0;
-  for (const row *r = rows_of[4 * i + j]; r->id; r++) {
+  for (const row *r = rows_for(mask, i, j); r->id; r++) {
     int inverse = inverse_hops(mask, r);
     /* of one row's hops only one set is the inverse one, so the fewest traversals, then the first row, decide */
     if (inverse >= 0 && (!best || bits(inverse) < bits(best_inverse))) {

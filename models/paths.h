@@ -5,7 +5,11 @@
  *                    them a multiplicity of nodes does not make a side, and only faces that keep their nodes in order
  *                    (F2N) decide, or edges that faces keep (F2E)
  *   GMDS__CAN_i_j    path and exact: get_adj_i_j exists */
-#define GMDS__PATH_0_0 GMDS_CHOOSE(GMDS_PATHS_0_0)
+#if GMDS__S_0_1 || GMDS__S_1_0
+#  define GMDS__PATH_0_0 GMDS_CHOOSE(GMDS_PATHS_0_0_BY_EDGES)
+#else
+#  define GMDS__PATH_0_0 GMDS_CHOOSE(GMDS_PATHS_0_0)
+#endif
 #define GMDS__ROW_0_0 (GMDS__PATH_0_0 / 16)
 #define GMDS__PATH_0_1 GMDS_CHOOSE(GMDS_PATHS_0_1)
 #define GMDS__ROW_0_1 (GMDS__PATH_0_1 / 16)

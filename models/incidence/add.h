@@ -192,7 +192,7 @@ static inline gmds_status plan_links(mesh *m, size_t n, const gmds_id *nodes, co
       if (!known_edges) {
         size_t on_side = m->found.n;
         gmds_ids scratch = {.memory = &m->memory};
-        gmds_status status = edge_of_faces(m, a, b, m->found.data, on_side, &scratch, &edge);
+        gmds_status status = edge_of_faces(m, a, b, m->found.data, on_side, m->plan.data, k, &scratch, &edge);
         gmds_ids_clear(&scratch);
         GMDS_TRY(status);
       }

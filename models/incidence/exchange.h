@@ -42,7 +42,7 @@ static inline gmds_status fill_from_soup(mesh *m, const gmds_soup *soup, gmds_id
 
 static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *error)
 {
-  if (m->cells[0].count || m->cells[2].count)
+  if (m->cells[0].count || m->cells[1].count || m->cells[2].count)
     return gmds_fail(error, GMDS_ERR_ARGUMENT, "the mesh to be filled is not empty");
   void *node_of = NULL;
   gmds_ids list = {.memory = &m->memory};
@@ -55,7 +55,7 @@ static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *
   gmds_ids_clear(&list);
   gmds_release(&m->memory, node_of, node_of ? soup->n_points : 0, sizeof(gmds_id));
   if (status != GMDS_OK)
-    mesh_clear(m);
+    empty(m);
   return status;
 }
 

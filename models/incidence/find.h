@@ -69,11 +69,14 @@ static inline gmds_status faces_at_side(const mesh *m, gmds_id a, gmds_id b, gmd
 
 #if GMDS__FINDS_EDGES && !GMDS__LINKED_EDGES
 /* The edge on the side from a to b through the faces there (faces[0 .. n)), or GMDS_NONE. Where faces keep nodes and
- * edges in order it is the edge of that side; else the edge that bounds these faces and no others. */
+ * edges in order it is the edge of that side; else an edge that bounds these faces and no others, and is not among
+ * taken[0 .. n_taken): a new face may share several sides with the same faces. */
 static inline gmds_status edge_of_faces(const mesh *m, gmds_id a, gmds_id b, const gmds_id *faces, size_t n,
-                                        gmds_ids *scratch, gmds_id *edge)
+                                        const gmds_id *taken, size_t n_taken, gmds_ids *scratch, gmds_id *edge)
 {
   (void)scratch;
+  (void)taken;
+  (void)n_taken;
   *edge = GMDS_NONE;
   if (!n)
     return GMDS_OK;
@@ -91,6 +94,8 @@ static inline gmds_status edge_of_faces(const mesh *m, gmds_id a, gmds_id b, con
     scratch->n = edges;
     GMDS_TRY(hop_1_2(m, scratch, i, i + 1));
     int same = scratch->n - edges == n;
+    for (size_t k = 0; k < n_taken; k++)
+      same &= taken[k] != scratch->data[i];
     for (size_t k = 0; k < n; k++) {
       int has = 0;
       for (size_t j = edges; j < scratch->n; j++)

@@ -220,7 +220,7 @@ static inline gmds_status check(const mesh *m, gmds_memory *memory, gmds_error *
 
 /* Fills an empty mesh from a soup: its points become nodes in their order, its faces faces; edges are added where the
  * model can hold them. GMDS_OK or any status of add_node, add_edge and add_face (`error` names the cell; the mesh is
- * empty); GMDS_ERR_UNSUPPORTED for volumes and for a third coordinate that is not 0 in a model of two. */
+ * empty, its attributes stay); GMDS_ERR_UNSUPPORTED for volumes and for a third coordinate that is not 0 in a model of two. */
 static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *error);
 
 /* Writes the nodes and faces into a soup (what it held is freed), renumbered without holes. In models that keep the order

@@ -1,0 +1,89 @@
+/* Regular meshes and random operations. */
+#include "models/script.h"
+
+/* How a face is to be added to a model: as the script says where it can be, else with all that the reference knows. */
+static knows knowing(const subject *s, knows wanted)
+{
+  if (needs_links(s->m))
+    return KNOWS_BOTH;
+  return wanted;
+}
+
+gmds_status script_add(subject *s, size_t n, const gmds_id *nodes)
+{
+  return allows(s->m, n) ? subject_add_face(s, n, nodes, knowing(s, KNOWS_NOTHING)) : GMDS_ERR_ARGUMENT;
+}
+
+void script_nodes(subject *s, size_t n)
+{
+  while (n-- > 0)
+    subject_add_node(s);
+}
+
+/* A strip of w by h squares, cut in two, whole, or joined to hexagons, as the model and `kind` allow; two isolated
+ * nodes at the end. */
+void script_grid(subject *s, gmds_id w, gmds_id h, int kind)
+{
+  gmds_id row = w + 1, first = (gmds_id)s->ref.end[0];
+  script_nodes(s, (size_t)row * (h + 1) + 2);
+  for (gmds_id y = 0; y < h; y++)
+    for (gmds_id x = 0; x < w; x++) {
+      gmds_id a = first + y * row + x, b = a + 1, c = b + row, d = a + row;
+      const gmds_id lower[3] = {a, b, c}, upper[3] = {a, c, d}, whole[4] = {a, b, c, d};
+      const gmds_id joined[6] = {a, b, b + 1, c + 1, c, d};
+      if (kind == 2 && x % 2 == 0 && x + 1 < w && allows(s->m, 6)) {
+        script_add(s, 6, joined);
+        x++;
+      } else if (allows(s->m, 4) && (kind == 1 || (kind == 2 && y % 2) || !allows(s->m, 3)))
+        script_add(s, 4, whole);
+      else {
+        script_add(s, 3, lower);
+        script_add(s, 3, upper);
+      }
+    }
+}
+
+void script_face(subject *s)
+{
+  static const size_t sizes[] = {3, 3, 3, 4, 4, 5, 6};
+  gmds_id nodes[MAX_SIDES];
+  size_t n = sizes[random_below(&s->seed, sizeof sizes / sizeof *sizes)];
+  if (!allows(s->m, n))
+    n = allows(s->m, 3) ? 3 : 4;
+  if (reference_count(&s->ref, 0) < n || reference_count(&s->ref, 2) > 30)
+    return;
+  for (size_t k = 0; k < n;) {
+    size_t q = 0;
+    nodes[k] = reference_pick(&s->ref, 0, &s->seed);
+    while (q < k && nodes[q] != nodes[k])
+      q++;
+    k += q == k;
+  }
+  knows known = (knows)random_below(&s->seed, 4);
+  subject_add_face(s, n, nodes, knowing(s, known));
+}
+
+void script_step(subject *s)
+{
+  gmds_id v = reference_pick(&s->ref, 0, &s->seed), w = reference_pick(&s->ref, 0, &s->seed);
+  gmds_id e = reference_pick(&s->ref, 1, &s->seed), f = reference_pick(&s->ref, 2, &s->seed);
+  size_t what = random_below(&s->seed, 100);
+  gmds_edges edges = random_below(&s->seed, 2) ? GMDS_DROP_BARE_EDGES : usual_edges(s->m);
+  gmds_around around = random_below(&s->seed, 3) ? GMDS_REFUSE : GMDS_CASCADE;
+  if (what < 10) {
+    if (reference_count(&s->ref, 0) < 12)
+      subject_add_node(s);
+  } else if (what < 65)
+    script_face(s);
+  else if (what < 70) {
+    if (links_edges(s->m) && v != w)
+      subject_add_edge(s, v, w);
+  } else if (what < 86) {
+    if (f != GMDS_NONE)
+      subject_remove_face(s, f, edges);
+  } else if (what < 94) {
+    if (e != GMDS_NONE && makes_edges(s->m))
+      subject_remove_edge(s, e, around);
+  } else if (v != GMDS_NONE)
+    subject_remove_node(s, v, around);
+}
