@@ -79,4 +79,4 @@
 #define GMDS_STORED(i, j) GMDS__S_##i##_##j
 #define GMDS_ORDERED_2_0 (GMDS__S_2_0 || (GMDS__S_2_1 && GMDS__S_1_0))
 #define GMDS_ACROSS                                                                                                    \
-  (GMDS_ORDERED_2_0 && (GMDS__S_2_2 || (GMDS__S_2_1 && GMDS__S_1_2) || (GMDS__S_2_0 && GMDS__S_0_2)))
+  (GMDS_ORDERED_2_0 && (GMDS__S_2_2 || (GMDS__S_2_1 && GMDS__S_1_2) || GMDS__S_0_2 || (GMDS__S_0_1 && GMDS__S_1_2)))

@@ -109,3 +109,44 @@ static inline gmds_status edge_of_faces(const mesh *m, gmds_id a, gmds_id b, con
   return GMDS_OK;
 }
 #endif
+
+#if GMDS_ACROSS
+static inline gmds_id across(const mesh *m, gmds_id f, unsigned k, unsigned *arrival)
+{
+  size_t n = 0;
+#  if GMDS__CODED
+  gmds_id entry = row_2_2(m, f, &n)[k];
+  *arrival = entry & 3;
+  return entry == GMDS_NONE ? GMDS_NONE : entry >> 2;
+#  else
+  gmds_id a = face_node(m, f, k), b = face_node(m, f, k + 1 < face_sides(m, f) ? k + 1 : 0), g = GMDS_NONE;
+  (void)n;
+#    if GMDS__S_2_2
+  g = row_2_2(m, f, &n)[k];
+#    elif GMDS__S_1_2 && (GMDS__S_2_1 || GMDS__S_0_1)
+#      if GMDS__S_2_1
+  gmds_id edge = row_2_1(m, f, &n)[k];
+#      else
+  gmds_id edge = find_edge(m, a, b);
+#      endif
+  const gmds_id *faces = gmds_rows_get(&m->r_1_2, edge, &n);
+  if (n == 2)
+    g = faces[faces[0] == f];
+#    else
+  /* the shorter of the rows of a and b: the node that stands for infinity has one as long as the hull */
+  gmds_id centre = m->r_0_2.length[a] < m->r_0_2.length[b] ? a : b;
+  const gmds_id *faces = gmds_rows_get(&m->r_0_2, centre, &n);
+  unsigned found = 0;
+  for (size_t i = 0; i < n; i++)
+    if (faces[i] != f && find_side(m, faces[i], a, b) != GMDS_NONE) {
+      g = faces[i];
+      found++;
+    }
+  if (found != 1)
+    g = GMDS_NONE;
+#    endif
+  *arrival = g == GMDS_NONE ? 0 : (unsigned)find_side(m, g, a, b);
+  return g;
+#  endif
+}
+#endif

@@ -194,7 +194,7 @@ static inline void triangle_nodes(const mesh *m, gmds_id f, gmds_id v[3]);
 #endif
 
 /* The face beyond side k of a live face (not checked), or GMDS_NONE; *arrival is the number of the side there.
- * In models with GMDS_ACROSS. Constant, or the fewer of the faces at its two nodes. */
+ * In models with GMDS_ACROSS. Constant, or the fewer of the faces or edges at its two nodes. */
 #if GMDS_ACROSS
 static inline gmds_id across(const mesh *m, gmds_id f, unsigned k, unsigned *arrival);
 #endif
