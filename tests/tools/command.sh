@@ -63,7 +63,8 @@ run 0 delaunay random:1225:1 --model 'F|N|N2F' --json && prints '"checksum":"714
 run 0 delaunay random:50:1 -o square.off && run 0 check square.off --json && prints '"inconsistent_edges":0'
 run 0 delaunay random:50:1 --model 'N|F|N2F' -o unordered.vtk && run 0 check unordered.vtk --json &&
   prints '"inconsistent_edges":0' && prints '"nonmanifold_edges":0'
-run 0 delaunay random:50:1 -o picture.svg && grep -q '<polygon' picture.svg || fail 'a picture has polygons'
+run 0 delaunay random:50:1 -o picture.svg
+grep -q '<polygon' picture.svg || fail 'a picture has polygons'
 printf '0 0\n1 0\n2,0\n# a comment\n' >line.txt
 run 0 delaunay line.txt --json && prints '"dimension":1' && prints '"cells":0' && prints '"checksum":"0000000000000000"'
 printf '' >nothing.txt
@@ -128,7 +129,8 @@ OFF
 4 3 0 4 7
 END
 run 0 convert cube.off cube.vtk && run 0 convert cube.vtk cube.mesh && run 0 convert cube.mesh back.off
-run 0 convert back.off again.mesh && cmp -s cube.mesh again.mesh || fail 'a round trip changes the mesh'
+run 0 convert back.off again.mesh
+cmp -s cube.mesh again.mesh || fail 'a round trip changes the mesh'
 run 0 info cube.vtk --json && prints '"quadrilateral":6' && prints '"points":8'
 run 0 check cube.off --json && prints '"euler":2' && prints '"border_edges":0' && prints '"inconsistent_edges":0'
 head -n 9 cube.off >cut.off
@@ -140,7 +142,8 @@ run 1 convert cube.off cube.xyzw && absent cube.xyzw
 run 2 convert cube.off
 run 1 info "$dir"
 cp cube.off same.off
-run 1 convert nan.txt same.off && cmp -s cube.off same.off || fail 'a failed run changed the file that was there'
+run 1 convert nan.txt same.off
+cmp -s cube.off same.off || fail 'a failed run changed the file that was there'
 empty_of_leftovers
 
 echo "$claims runs, $failures claims failed"
