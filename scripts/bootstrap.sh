@@ -53,9 +53,9 @@ missing_packages() {
 
 apt_get() {
   if [ "$(id -u)" = 0 ]; then
-    DEBIAN_FRONTEND=noninteractive apt-get "$@"
+    DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 "$@" >/dev/null
   else
-    sudo env DEBIAN_FRONTEND=noninteractive apt-get "$@"
+    sudo env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 "$@" >/dev/null
   fi
 }
 
@@ -68,8 +68,8 @@ bootstrap() {
         say "please install as root: ${missing[*]}"
       else
         say "installing ${missing[*]}"
-        apt_get -qq update || say "the package lists could not be brought up to date"
-        apt_get -qq -y --no-install-recommends install "${missing[@]}" || say "not everything could be installed"
+        apt_get update || say "the package lists could not be brought up to date"
+        apt_get -y --no-install-recommends install "${missing[@]}" || say "not everything could be installed"
       fi
     fi
   else
