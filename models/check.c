@@ -99,12 +99,17 @@ static gmds_status check_entries(const gmds_relations *all, int i, int j, gmds_e
   return GMDS_OK;
 }
 
+static size_t times(const gmds_csr *csr, size_t c, gmds_id x)
+{
+  size_t n = 0;
+  for (size_t k = csr->begin[c]; k < csr->begin[c + 1]; k++)
+    n += csr->data[k] == x;
+  return n;
+}
+
 static int has(const gmds_csr *csr, size_t c, gmds_id x)
 {
-  for (size_t k = csr->begin[c]; k < csr->begin[c + 1]; k++)
-    if (csr->data[k] == x)
-      return 1;
-  return 0;
+  return times(csr, c, x) > 0;
 }
 
 /* ---- one relation against its inverse, and against what the others give */
@@ -172,6 +177,8 @@ static gmds_status compose(const gmds_relations *all, gmds_csr inverse[3][3], co
 
 static int all_triangles(const gmds_relations *all)
 {
+  if (all->triangles)
+    return 1;
   for (int j = 0; j < 3; j++)
     if (stored(all, 2, j)) {
       for (size_t f = 0; f < all->end[2]; f++)
@@ -229,14 +236,14 @@ static gmds_status check_composed(const gmds_relations *all, int i, int j, gmds_
   return status;
 }
 
-/* i2i against itself: if x names y, y names x. */
+/* i2i against itself: x names y as often as y names x. */
 static gmds_status check_symmetric(const gmds_relations *all, int i, gmds_error *error)
 {
   const gmds_csr *csr = &all->relation[i][i];
   for (size_t c = 0; c < all->end[i]; c++)
     for (size_t k = csr->begin[c]; k < csr->begin[c + 1]; k++)
-      if (csr->data[k] != GMDS_NONE && !has(csr, csr->data[k], (gmds_id)c))
-        return violated(error, i, i, c, "is not named back by", csr->data[k]);
+      if (csr->data[k] != GMDS_NONE && times(csr, csr->data[k], (gmds_id)c) != times(csr, c, csr->data[k]))
+        return violated(error, i, i, c, "is not named back as often by", csr->data[k]);
   return GMDS_OK;
 }
 
@@ -256,18 +263,44 @@ static int by_ends(const void *p, const void *q)
   return x->face < y->face ? -1 : x->face > y->face;
 }
 
-static gmds_status check_group(const gmds_relations *all, const side *s, size_t n, gmds_error *error)
+/* The edge between nodes a and b, or GMDS_NONE; `edges` is N2E, stored or the inverse of E2N. */
+static gmds_id edge_between(const gmds_csr *edges, gmds_id a, gmds_id b)
 {
+  for (size_t k = edges->begin[a]; k < edges->begin[a + 1]; k++)
+    if (has(edges, b, edges->data[k]))
+      return edges->data[k];
+  return GMDS_NONE;
+}
+
+/* What edges say of one side, that of the n entries s. */
+static gmds_status check_edge_of_side(const gmds_relations *all, const gmds_csr *edges, const side *s, size_t n,
+                                      gmds_error *error)
+{
+  const gmds_csr *f2e = &all->relation[2][1], *e2f = &all->relation[1][2];
+  int linked = stored(all, 0, 1) || stored(all, 1, 0);
+  gmds_id edge = linked ? edge_between(edges, s->a, s->b) : f2e->data[f2e->begin[s->face] + s->k];
+  if (edge == GMDS_NONE)
+    return violated(error, 2, 0, s->face, "has a side that is no edge, from", s->a);
   for (size_t i = 0; i < n; i++) {
     gmds_id f = s[i].face;
-    if (stored(all, 2, 1)) {
-      gmds_id edge = all->relation[2][1].data[all->relation[2][1].begin[f] + s[i].k];
-      gmds_id first = all->relation[2][1].data[all->relation[2][1].begin[s[0].face] + s[0].k];
-      if (edge != first)
-        return violated(error, 2, 1, f, "shares a side, but not its edge, with another face: it has", edge);
-      if (stored(all, 1, 0) && (!has(&all->relation[1][0], edge, s[i].a) || !has(&all->relation[1][0], edge, s[i].b)))
-        return violated(error, 2, 1, f, "has on a side that other nodes bound", edge);
-    }
+    gmds_id found = stored(all, 2, 1) ? f2e->data[f2e->begin[f] + s[i].k] : edge;
+    if (found != edge)
+      return violated(error, 2, 1, f, "has on one of its sides another edge,", found);
+    if (stored(all, 1, 2) && !has(e2f, edge, f))
+      return violated(error, 1, 2, edge, "lacks", f);
+  }
+  if (stored(all, 1, 2) && e2f->begin[edge + 1] - e2f->begin[edge] != n)
+    return violated(error, 1, 2, edge, "has faces that are not on it, beside", s->face);
+  return GMDS_OK;
+}
+
+static gmds_status check_group(const gmds_relations *all, const gmds_csr *edges, const side *s, size_t n,
+                               gmds_error *error)
+{
+  if (stored(all, 0, 1) || stored(all, 1, 0) || stored(all, 2, 1))
+    GMDS_TRY(check_edge_of_side(all, edges, s, n, error));
+  for (size_t i = 0; i < n; i++) {
+    gmds_id f = s[i].face;
     if (stored(all, 0, 0) && !has(&all->relation[0][0], s[i].a, s[i].b))
       return violated(error, 0, 0, s[i].a, "lacks, though a face joins them,", s[i].b);
     if (!stored(all, 2, 2))
@@ -282,13 +315,36 @@ static gmds_status check_group(const gmds_relations *all, const side *s, size_t 
   return GMDS_OK;
 }
 
+/* Sorts the sides of all faces, so that those between the same nodes follow each other, and checks each group. */
+static gmds_status check_sorted_sides(const gmds_relations *all, const gmds_csr *edges, side *sides, size_t n,
+                                      gmds_error *error)
+{
+  if (n)
+    qsort(sides, n, sizeof *sides, by_ends);
+  for (size_t begin = 0, end; begin < n; begin = end) {
+    for (end = begin + 1; end < n && sides[end].a == sides[begin].a && sides[end].b == sides[begin].b;)
+      end++;
+    GMDS_TRY(check_group(all, edges, sides + begin, end - begin, error));
+  }
+  const gmds_csr *e2f = &all->relation[1][2];
+  if (stored(all, 1, 2) && e2f->begin[e2f->n] != n)
+    return gmds_fail(error, GMDS_ERR_INVARIANT, "E2F: %zu entries, but faces have %zu sides", e2f->begin[e2f->n], n);
+  return GMDS_OK;
+}
+
 static gmds_status check_sides(const gmds_relations *all, gmds_memory *memory, gmds_error *error)
 {
   const gmds_csr *nodes = &all->relation[2][0];
+  gmds_csr edges;
   void *block = NULL;
   size_t n = 0, total = nodes->begin[nodes->n];
-  if (!gmds_resize(memory, &block, 0, total, sizeof(side)))
+  gmds_csr_init(&edges, memory);
+  if (!stored(all, 0, 1) && stored(all, 1, 0))
+    GMDS_TRY(gmds_invert_csr(&all->relation[1][0], all->end[0], &edges));
+  if (!gmds_resize(memory, &block, 0, total, sizeof(side))) {
+    gmds_csr_clear(&edges);
     return GMDS_ERR_MEMORY;
+  }
   side *sides = block;
   for (size_t f = 0; f < nodes->n; f++) {
     size_t begin = nodes->begin[f], count = nodes->begin[f + 1] - begin;
@@ -297,16 +353,25 @@ static gmds_status check_sides(const gmds_relations *all, gmds_memory *memory, g
       sides[n++] = (side){p < q ? p : q, p < q ? q : p, (gmds_id)f, (gmds_id)k};
     }
   }
-  if (n)
-    qsort(sides, n, sizeof *sides, by_ends);
-  gmds_status status = GMDS_OK;
-  for (size_t begin = 0, end; begin < n && status == GMDS_OK; begin = end) {
-    for (end = begin + 1; end < n && sides[end].a == sides[begin].a && sides[end].b == sides[begin].b;)
-      end++;
-    status = check_group(all, sides + begin, end - begin, error);
-  }
+  gmds_status status = check_sorted_sides(all, stored(all, 0, 1) ? &all->relation[0][1] : &edges, sides, n, error);
   gmds_release(memory, block, total, sizeof(side));
+  gmds_csr_clear(&edges);
   return status;
+}
+
+/* A face has as many nodes as edges as entries for neighbours. */
+static gmds_status check_lengths(const gmds_relations *all, gmds_error *error)
+{
+  int first = stored(all, 2, 0) ? 0 : stored(all, 2, 1) ? 1 : 2;
+  for (int j = first + 1; j < 3; j++)
+    for (size_t f = 0; stored(all, 2, j) && f < all->end[2]; f++) {
+      const gmds_csr *p = &all->relation[2][first], *q = &all->relation[2][j];
+      size_t n = p->begin[f + 1] - p->begin[f], found = q->begin[f + 1] - q->begin[f];
+      if (n != found)
+        return gmds_fail(error, GMDS_ERR_INVARIANT, "F2%c: face %zu has %zu entries, but %zu sides", letter[j], f,
+                         found, n);
+    }
+  return GMDS_OK;
 }
 
 static gmds_status check_all(const gmds_relations *all, gmds_memory *memory, gmds_error *error)
@@ -315,6 +380,7 @@ static gmds_status check_all(const gmds_relations *all, gmds_memory *memory, gmd
     for (int j = 0; j < 3; j++)
       if (stored(all, i, j))
         GMDS_TRY(check_entries(all, i, j, error));
+  GMDS_TRY(check_lengths(all, error));
   for (int i = 0; i < 3; i++)
     if (stored(all, i, i))
       GMDS_TRY(check_symmetric(all, i, error));
