@@ -136,7 +136,6 @@ static int on_front(const sweep_row *rows, size_t n, size_t k)
 
 static void print_dots(FILE *file, const axes *a, const sweep_row *rows, size_t n)
 {
-  double label = TOP + 12;
   for (int front = 0; front < 2; front++)
     for (size_t k = 0; k < n; k++) {
       if (!rows[k].ok || on_front(rows, n, k) != front)
@@ -147,11 +146,10 @@ static void print_dots(FILE *file, const axes *a, const sweep_row *rows, size_t 
               rows[k].report.bytes);
       if (!front)
         continue;
-      fprintf(file, "<path d=\"M%.1f %.1f L%d %.1f\" stroke=\"#c0392b\" stroke-width=\"0.5\"/>\n", x, y,
-              LEFT + WIDTH + 8, label);
-      fprintf(file, "<text x=\"%d\" y=\"%.1f\" fill=\"#c0392b\">%s</text>\n", LEFT + WIDTH + 12, label + 4,
-              rows[k].model);
-      label += 18;
+      fprintf(file,
+              "<text x=\"%.1f\" y=\"%.1f\" fill=\"#c0392b\" stroke=\"#fff\" stroke-width=\"3\" "
+              "paint-order=\"stroke\">%s</text>\n",
+              x + 9, y + 4, rows[k].model);
     }
 }
 
@@ -164,9 +162,9 @@ gmds_status write_plot(const char *path, const sweep_row *rows, size_t n, gmds_e
   fprintf(file,
           "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" font-family=\"sans-serif\" font-size=\"12\">\n"
           "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
-          "<text x=\"%d\" y=\"24\" font-size=\"15\">Delaunay triangulation of %zu points, one dot a mesh model; in red "
-          "those that no other beats in both</text>\n",
-          LEFT + WIDTH + 260, TOP + HEIGHT + 50, LEFT, n ? rows[0].points : 0);
+          "<text x=\"%d\" y=\"24\" font-size=\"15\">Delaunay triangulation of %zu points: one dot a mesh model, the Pareto front "
+          "in red</text>\n",
+          LEFT + WIDTH + 60, TOP + HEIGHT + 50, LEFT, n ? rows[0].points : 0);
   print_ticks(file, &a, 0);
   print_ticks(file, &a, 1);
   print_dots(file, &a, rows, n);
