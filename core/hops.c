@@ -52,7 +52,8 @@ gmds_status gmds_hop_csr(const gmds_csr *csr, gmds_ids *list, size_t first, size
   size_t before = list->n;
   for (size_t i = first; i < last; i++) {
     size_t begin = csr->begin[list->data[i]], end = csr->begin[list->data[i] + 1];
-    GMDS_TRY(append(list, before, csr->data + begin, end - begin));
+    if (begin < end)
+      GMDS_TRY(append(list, before, csr->data + begin, end - begin));
   }
   return GMDS_OK;
 }
@@ -285,7 +286,8 @@ gmds_status gmds_invert_csr(const gmds_csr *relation, size_t n, gmds_csr *csr)
   GMDS_TRY(begin_invert(n, csr));
   for (int pass = 0; pass < 2; pass++) {
     for (size_t c = 0; c < relation->n; c++)
-      invert_row(relation->data + relation->begin[c], relation->begin[c + 1] - relation->begin[c], c, csr);
+      if (relation->begin[c] < relation->begin[c + 1])
+        invert_row(relation->data + relation->begin[c], relation->begin[c + 1] - relation->begin[c], c, csr);
     if (pass == 0)
       GMDS_TRY(sum_counts(csr));
     if (!csr->data)

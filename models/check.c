@@ -78,8 +78,8 @@ static gmds_status check_entries(const gmds_relations *all, int i, int j, gmds_e
 {
   const gmds_csr *csr = &all->relation[i][j];
   for (size_t c = 0; c < all->end[i]; c++) {
-    const gmds_id *row = csr->data + csr->begin[c];
     size_t n = csr->begin[c + 1] - csr->begin[c];
+    const gmds_id *row = n ? csr->data + csr->begin[c] : NULL;
     if (n && !gmds_bits_get(all->alive[i], c))
       return violated(error, i, j, c, "was deleted and still names", row[0]);
     for (size_t k = 0; k < n; k++) {

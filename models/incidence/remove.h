@@ -55,6 +55,7 @@ static inline gmds_status plan_removal(mesh *m, gmds_id f, gmds_edges edges, siz
 {
   *n = *n_edges = 0;
   m->plan.n = 0;
+  GMDS_TRY(gmds_ids_reserve(&m->plan, 1)); /* an empty plan is a list too, not NULL */
   (void)f;
 #if GMDS__S_0_2 || (GMDS__JOINED_BY_FACES && GMDS__CAN_2_0)
   GMDS_TRY(get_adj_2_0(m, f, &m->plan));
