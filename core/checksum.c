@@ -22,12 +22,16 @@ gmds_status gmds_checksum_cell(int dim, const double *points, size_t n, gmds_id 
   if (dim != 2 && dim != 3)
     return GMDS_ERR_ARGUMENT;
   size_t d = (size_t)dim;
-  for (size_t i = 1; i < n; i++)
-    for (size_t j = i; j > 0 && before(dim, points + d * nodes[j], points + d * nodes[j - 1]); j--) {
-      gmds_id swap = nodes[j];
-      nodes[j] = nodes[j - 1];
-      nodes[j - 1] = swap;
-    }
+  size_t gap = 1; /* Shell's sort with Knuth's gaps: insertion for a triangle, fast enough for any polygon */
+  while (gap < n / 3)
+    gap = 3 * gap + 1;
+  for (; gap > 0; gap /= 3)
+    for (size_t i = gap; i < n; i++)
+      for (size_t j = i; j >= gap && before(dim, points + d * nodes[j], points + d * nodes[j - gap]); j -= gap) {
+        gmds_id swap = nodes[j];
+        nodes[j] = nodes[j - gap];
+        nodes[j - gap] = swap;
+      }
   uint64_t sum = 0;
   for (size_t i = 0; i < n; i++)
     for (size_t k = 0; k < d; k++) {

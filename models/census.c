@@ -261,6 +261,7 @@ void gmds_path_advice(int i, int j, size_t size, char *text)
       append(size, text, relation_names[4 * r->cells[s] + r->cells[s + 1]]);
     }
   }
+  append(size, text, " (the inverse of a relation will do, at the cost of a traversal)");
 }
 
 void gmds_matrices(unsigned mask, char direct[4][4], char indirect[4][4])

@@ -9,7 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 points=${1:-random:1225:1}
 
 bootstrap run
-cmake -S . -B build -DCMAKE_BUILD_TYPE=Release
+cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DGMDS_BUILD_TOOLS=ON -DGMDS_BUILD_TESTS=ON
 cmake --build build --target gmds_command -j "$(jobs_at_once)"
 
 expect=()

@@ -165,7 +165,7 @@ const model_entry *find_model(const char *text, gmds_error *error)
       return models[k];
   for (int j = 0; j <= 2; j += 2)
     if (gmds_path_of(mask, 2, j).cost == GMDS_COST_NONE) {
-      char advice[160];
+      char advice[256];
       gmds_path_advice(2, j, sizeof advice, advice);
       gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%.80s' cannot answer 2->%d: %s", text, j, advice);
       return NULL;

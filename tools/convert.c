@@ -12,28 +12,47 @@ gmds_status write_any(const char *path, const gmds_soup *soup, gmds_error *error
   return is_svg(path) ? write_picture(path, soup, error) : gmds_write_soup(path, soup, error);
 }
 
-/* A file, or points made up in the plane. */
-static gmds_status read_any(const char *input, gmds_error *error, gmds_soup *soup)
+/* What --dim says: 2 or 3 coordinates a point, 0 as many as the file has. Returns -1 to go on. */
+static int read_dim(const verb *v, const char *text, int *dim)
 {
+  unsigned long number = 0;
+  if (text && !read_number(text, 2, 3, &number))
+    return misused(v, "--dim is 2 or 3, not '%s'", text);
+  *dim = (int)number;
+  return -1;
+}
+
+#define DIM_HELP "2|3  coordinates a point (as many as the file has; 2 for .f64, which does not say)"
+
+/* A file, or points made up. */
+static gmds_status read_any(const char *input, int dim, gmds_error *error, gmds_soup *soup)
+{
+  gmds_format format;
   static const char *const made_up[] = {"random:", "grid:", "circle:", "clusters:"};
   for (size_t k = 0; k < sizeof made_up / sizeof *made_up; k++)
     if (strncmp(input, made_up[k], strlen(made_up[k])) == 0)
-      return gmds_make_points(input, 2, error, soup);
-  return gmds_read_soup(input, 0, error, soup);
+      return gmds_make_points(input, dim ? dim : 2, error, soup);
+  if (!dim && gmds_format_of_path(input, NULL, &format) == GMDS_OK && format == GMDS_FORMAT_F64)
+    dim = 2;
+  return gmds_read_soup(input, dim, error, soup);
 }
 
 static int run_convert(const verb *v, int argc, char **argv)
 {
-  const char *path[2] = {NULL, NULL};
-  int code = read_arguments(v, argc, argv, NULL, 0, path, 2, 2);
+  const char *path[2] = {NULL, NULL}, *dim_text = NULL;
+  int dim = 0;
+  const option options[] = {{"dim", 0, &dim_text, NULL, DIM_HELP}};
+  int code = read_arguments(v, argc, argv, options, 1, path, 2, 2);
+  if (code < 0)
+    code = read_dim(v, dim_text, &dim);
   if (code >= 0)
     return code;
-  gmds_error error;
+  gmds_error error = {.status = GMDS_OK};
   gmds_memory memory;
   gmds_soup soup;
   gmds_memory_init(&memory, NULL);
   gmds_soup_init(&soup, &memory, 2);
-  gmds_status status = read_any(path[0], &error, &soup);
+  gmds_status status = read_any(path[0], dim, &error, &soup);
   if (status == GMDS_OK)
     status = write_any(path[1], &soup, &error);
   if (status == GMDS_OK && soup.degenerate)
@@ -88,18 +107,20 @@ static void print_info(const gmds_soup *soup, const char *path, int json)
 
 static int run_info(const verb *v, int argc, char **argv)
 {
-  const char *path = NULL;
-  int json = 0;
-  const option options[] = {{"json", 0, NULL, &json, "print one JSON object"}};
-  int code = read_arguments(v, argc, argv, options, 1, &path, 1, 1);
+  const char *path = NULL, *dim_text = NULL;
+  int json = 0, dim = 0;
+  const option options[] = {{"json", 0, NULL, &json, "print one JSON object"}, {"dim", 0, &dim_text, NULL, DIM_HELP}};
+  int code = read_arguments(v, argc, argv, options, 2, &path, 1, 1);
+  if (code < 0)
+    code = read_dim(v, dim_text, &dim);
   if (code >= 0)
     return code;
-  gmds_error error;
+  gmds_error error = {.status = GMDS_OK};
   gmds_memory memory;
   gmds_soup soup;
   gmds_memory_init(&memory, NULL);
   gmds_soup_init(&soup, &memory, 2);
-  gmds_status status = read_any(path, &error, &soup);
+  gmds_status status = read_any(path, dim, &error, &soup);
   if (status == GMDS_OK)
     print_info(&soup, path, json);
   gmds_soup_clear(&soup);
@@ -182,13 +203,15 @@ static gmds_status check_soup(const gmds_soup *soup, full_mesh *m, gmds_error *e
 
 static int run_check(const verb *v, int argc, char **argv)
 {
-  const char *path = NULL;
-  int json = 0;
-  const option options[] = {{"json", 0, NULL, &json, "print one JSON object"}};
-  int code = read_arguments(v, argc, argv, options, 1, &path, 1, 1);
+  const char *path = NULL, *dim_text = NULL;
+  int json = 0, dim = 0;
+  const option options[] = {{"json", 0, NULL, &json, "print one JSON object"}, {"dim", 0, &dim_text, NULL, DIM_HELP}};
+  int code = read_arguments(v, argc, argv, options, 2, &path, 1, 1);
+  if (code < 0)
+    code = read_dim(v, dim_text, &dim);
   if (code >= 0)
     return code;
-  gmds_error error;
+  gmds_error error = {.status = GMDS_OK};
   gmds_memory memory;
   gmds_soup soup;
   full_mesh m;
@@ -196,7 +219,7 @@ static int run_check(const verb *v, int argc, char **argv)
   gmds_memory_init(&memory, NULL);
   gmds_soup_init(&soup, &memory, 2);
   full_mesh_init(&m, NULL);
-  gmds_status status = read_any(path, &error, &soup);
+  gmds_status status = read_any(path, dim, &error, &soup);
   if (status == GMDS_OK) {
     size_t count[4];
     gmds_soup_count(&soup, count);
@@ -216,9 +239,9 @@ static int run_check(const verb *v, int argc, char **argv)
   return status == GMDS_OK ? DONE : FAILED;
 }
 
-const verb verb_convert = {"convert", "IN OUT", "a mesh or points from one format to another (.off .vtk .mesh .node .txt "
+const verb verb_convert = {"convert", "IN OUT [--dim 2|3]", "a mesh or points from one format to another (.off .vtk .mesh .node .txt "
                                                 ".f64; a picture for .svg)", run_convert};
-const verb verb_info = {"info", "FILE [--json]", "what a file holds: points, cells by type, bounding box", run_info};
-const verb verb_check = {"check", "FILE [--json]",
+const verb verb_info = {"info", "FILE [--json] [--dim 2|3]", "what a file holds: points, cells by type, bounding box", run_info};
+const verb verb_check = {"check", "FILE [--json] [--dim 2|3]",
                          "builds the mesh of a file with every relation, verifies them, and reports borders and the like",
                          run_check};

@@ -63,7 +63,7 @@ static void print_path(unsigned mask, int i, int j)
   const gmds_path p = gmds_path_of(mask, i, j);
   printf("  %d -> %d  %-7s", i, j, gmds_cost_text(p.cost));
   if (!p.hops) {
-    char advice[160];
+    char advice[256];
     gmds_path_advice(i, j, sizeof advice, advice);
     printf("%s\n", advice);
     return;
@@ -126,7 +126,7 @@ static int run(const verb *v, int argc, char **argv)
     return misused(v, "--dim is 2 or 3, not '%s'", dim_text);
   if (!text)
     return print_census((int)dim, csv);
-  gmds_error error;
+  gmds_error error = {.status = GMDS_OK};
   unsigned mask = 0;
   if (gmds_mask_parse(text, &error, &mask) != GMDS_OK)
     return failed("%s", error.text);

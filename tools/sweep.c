@@ -97,20 +97,28 @@ static void run_share(const sweep *s, const gmds_soup *points, size_t share)
     run_model(s, points, k);
 }
 
+static void wait_for_all(void)
+{
+  while (wait(NULL) > 0 || errno == EINTR)
+    ;
+}
+
 static int run_all(const sweep *s, const gmds_soup *points)
 {
   fflush(NULL);
   for (size_t share = 0; share < s->jobs; share++) {
     pid_t child = fork();
-    if (child < 0)
-      return failed("cannot start a process: %s", strerror(errno));
+    if (child < 0) {
+      int code = failed("cannot start a process: %s", strerror(errno));
+      wait_for_all();
+      return code;
+    }
     if (child == 0) {
       run_share(s, points, share);
       _exit(0);
     }
   }
-  while (wait(NULL) > 0)
-    ;
+  wait_for_all();
   return DONE;
 }
 
@@ -162,7 +170,7 @@ static void compare_rows(sweep *s)
 
 static int report(sweep *s)
 {
-  gmds_error error;
+  gmds_error error = {.status = GMDS_OK};
   compare_rows(s);
   size_t ok = print_table(s);
   if (s->csv && write_csv(s, &error) != GMDS_OK)
@@ -170,6 +178,17 @@ static int report(sweep *s)
   if (s->plot && write_plot(s->plot, s->rows, s->n, &error) != GMDS_OK)
     return failed("%s", error.text);
   return ok == s->n ? DONE : failed("%zu of %zu models failed or differ", s->n - ok, s->n);
+}
+
+/* Whether a file can be written: better known before the sweep than after it. */
+static gmds_status try_output(const char *path, gmds_error *error)
+{
+  gmds_output output;
+  if (!path)
+    return GMDS_OK;
+  GMDS_TRY(gmds_output_open(&output, path, error));
+  (void)gmds_output_close(&output, GMDS_ERR_CANCELLED, NULL);
+  return GMDS_OK;
 }
 
 static int run_sweep(sweep *s)
@@ -180,7 +199,8 @@ static int run_sweep(sweep *s)
   int code = FAILED;
   gmds_memory_init(&memory, NULL);
   gmds_soup_init(&points, &memory, 2);
-  if (choose(s, &error) != GMDS_OK || gmds_make_points(s->points, 2, &error, &points) != GMDS_OK) {
+  if (choose(s, &error) != GMDS_OK || try_output(s->csv, &error) != GMDS_OK ||
+      try_output(s->plot, &error) != GMDS_OK || gmds_make_points(s->points, 2, &error, &points) != GMDS_OK) {
     code = failed("%s", error.text);
     goto end;
   }
@@ -232,6 +252,10 @@ static int run(const verb *v, int argc, char **argv)
     return misused(v, "--jobs is a number from 1, not '%s'", jobs);
   if (s.expect && !is_checksum(s.expect))
     return misused(v, "--expect takes 16 hexadecimal digits, not '%s'", s.expect);
+  if (s.plot && !is_svg(s.plot))
+    return misused(v, "--plot writes SVG: '%s' does not end in .svg", s.plot);
+  if (s.plot && s.csv && strcmp(s.plot, s.csv) == 0)
+    return misused(v, "--csv and --plot name the same file");
   return run_sweep(&s);
 }
 

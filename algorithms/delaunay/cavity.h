@@ -19,7 +19,7 @@ static inline gmds_status reserve_cavity(insertion *in, size_t n)
 {
   if (n <= in->capacity)
     return GMDS_OK;
-  gmds_memory *memory = &in->m->memory;
+  gmds_memory *memory = mesh_memory(in->m);
   size_t had = in->capacity, grown = gmds_grown(had, n < 32 ? 32 : n);
   void *block[5] = {in->faces, in->sides, in->ids, in->stack, in->around};
   const size_t bytes[5] = {sizeof *in->faces, sizeof *in->sides, sizeof *in->ids, sizeof *in->stack,

@@ -12,7 +12,7 @@ static inline gmds_status place_nodes(mesh *m, size_t n, const double *xy, gmds_
     result->node_of = same;
     result->points = n;
   }
-  GMDS_TRY(gmds_order_points(&m->memory, 2, n, xy, error, order, same, &distinct));
+  GMDS_TRY(gmds_order_points(mesh_memory(m), 2, n, xy, error, order, same, &distinct));
   if (result)
     result->distinct = distinct;
   gmds_status status = reserve(m, distinct + 1, 0, 0);
@@ -31,7 +31,7 @@ static inline gmds_status place_nodes(mesh *m, size_t n, const double *xy, gmds_
 static inline gmds_status number_nodes(mesh *m, const gmds_id *order, gmds_delaunay_result *result)
 {
   gmds_bits stands;
-  GMDS_TRY(gmds_bits_init(&stands, &m->memory, result->points));
+  GMDS_TRY(gmds_bits_init(&stands, mesh_memory(m), result->points));
   for (size_t k = 0; k < result->distinct; k++)
     gmds_bits_set(&stands, order[k]);
   for (size_t k = 0; k < result->distinct; k++)

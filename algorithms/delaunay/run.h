@@ -48,15 +48,15 @@ static inline gmds_status insert_all(insertion *in, const gmds_delaunay_options 
 static inline gmds_status triangulate_nodes(mesh *m, const gmds_delaunay_options *options)
 {
   insertion in = {.m = m, .ghost = GMDS_NONE};
-  gmds_ids_init(&in.near, &m->memory);
-  gmds_ids_init(&in.nodes, &m->memory);
+  gmds_ids_init(&in.near, mesh_memory(m));
+  gmds_ids_init(&in.nodes, mesh_memory(m));
   gmds_status status = insert_all(&in, options);
   size_t faces = in.capacity, sides = faces ? faces + 2 : 0;
-  gmds_release(&m->memory, in.faces, faces, sizeof *in.faces);
-  gmds_release(&m->memory, in.sides, sides, sizeof *in.sides);
-  gmds_release(&m->memory, in.ids, sides, sizeof *in.ids);
-  gmds_release(&m->memory, in.stack, sides, sizeof *in.stack);
-  gmds_release(&m->memory, in.around, faces, GMDS_ACROSS ? 0 : sizeof *in.around);
+  gmds_release(mesh_memory(m), in.faces, faces, sizeof *in.faces);
+  gmds_release(mesh_memory(m), in.sides, sides, sizeof *in.sides);
+  gmds_release(mesh_memory(m), in.ids, sides, sizeof *in.ids);
+  gmds_release(mesh_memory(m), in.stack, sides, sizeof *in.stack);
+  gmds_release(mesh_memory(m), in.around, faces, GMDS_ACROSS ? 0 : sizeof *in.around);
   gmds_ids_clear(&in.near);
   gmds_ids_clear(&in.nodes);
   return status;
@@ -67,19 +67,21 @@ static inline gmds_status delaunay(mesh *m, size_t n, const double *xy, const gm
 {
   gmds_error *error = options ? options->error : NULL;
   void *order = NULL;
+  if (result && !result->memory.allocator.resize) /* zero-initialised */
+    gmds_delaunay_result_init(result, NULL);
   if (result)
     gmds_delaunay_result_clear(result);
-  if (m->cells[0].count || m->cells[1].count || m->cells[2].count)
+  if (count_0(m) || count_1(m) || count_2(m))
     return gmds_fail(error, GMDS_ERR_ARGUMENT, "the mesh to be triangulated is not empty");
   gmds_status status = gmds_predicates_check();
   if (status != GMDS_OK)
     return gmds_fail(error, status, "%s", gmds_status_text(status));
-  if (n && !gmds_resize(&m->memory, &order, 0, n, sizeof(gmds_id)))
+  if (n && !gmds_resize(mesh_memory(m), &order, 0, n, sizeof(gmds_id)))
     return gmds_fail(error, GMDS_ERR_MEMORY, "out of memory for the order of %zu points", n);
   status = place_nodes(m, n, xy, error, result, order);
   if (status == GMDS_OK && result)
     status = number_nodes(m, order, result);
-  gmds_release(&m->memory, order, order ? n : 0, sizeof(gmds_id));
+  gmds_release(mesh_memory(m), order, order ? n : 0, sizeof(gmds_id));
   size_t nodes = count_0(m);
   if (status == GMDS_OK) {
     status = triangulate_nodes(m, options);

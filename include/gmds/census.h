@@ -70,7 +70,8 @@ gmds_status gmds_mask_parse(const char *text, gmds_error *error, unsigned *mask)
 void gmds_mask_text(unsigned mask, size_t size, char *text);
 
 /* One sentence about what must be added to a mask so that i -> j can be answered, for instance
- * "add F2N, or F2E with E2N". `text` holds `size` bytes; 160 are always enough. */
+ * "add F2N, or F2E with E2N (the inverse of a relation will do, at the cost of a traversal)". `text` holds `size` bytes;
+ * 256 are always enough. */
 void gmds_path_advice(int i, int j, size_t size, char *text);
 
 /* The direct and indirect matrices of [models] 2.2: entry [i][j] is '0' or '1', and 'x' (stored), '0' to '3' (the first

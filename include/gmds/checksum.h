@@ -11,7 +11,7 @@ extern "C" {
 #endif
 
 /* The h of one cell of n nodes; `points` has dim coordinates a node. The nodes are sorted in place.
- * GMDS_OK or GMDS_ERR_ARGUMENT (dim is not 2 or 3). O(n²) comparisons. */
+ * GMDS_OK or GMDS_ERR_ARGUMENT (dim is not 2 or 3). O(n^1.5) comparisons. */
 gmds_status gmds_checksum_cell(int dim, const double *points, size_t n, gmds_id *nodes, uint64_t *h);
 
 #ifdef __cplusplus

@@ -15,7 +15,8 @@ typedef struct gmds_delaunay_options {
   gmds_error *error; /* receives the sentence of a failure; may be NULL */
 } gmds_delaunay_options;
 
-/* Zero-initialise it (or use gmds_delaunay_result_init) before the first use; clear it after the last. */
+/* Zero-initialise it before the first use, or give it an allocator of its own by gmds_delaunay_result_init; clear it
+ * after the last use. */
 typedef struct gmds_delaunay_result {
   gmds_memory memory;  /* the result's own: its arrays do not count as the mesh's */
   int dimension;       /* of the points: -1 (none), 0, 1 (on one line) or 2 */

@@ -41,7 +41,7 @@ gmds_status gmds_read_soup_from_memory(gmds_format format, const char *name, con
                                        gmds_error *error, gmds_soup *soup);
 
 /* Writes a mesh file, its format taken from the extension, under a temporary name in the same folder first: on failure
- * nothing stays under `path` that was not there before.
+ * nothing stays under `path` that was not there before. A symbolic link is replaced by the file.
  * GMDS_OK; GMDS_ERR_OPEN, _WRITE, _UNSUPPORTED (a cell that the format cannot hold), _COORDINATE (NaN or infinity,
  * which no reader takes), _MEMORY. Medit lists cells by type, so their order may change; every other order is kept. */
 gmds_status gmds_write_soup(const char *path, const gmds_soup *soup, gmds_error *error);

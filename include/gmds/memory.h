@@ -21,7 +21,7 @@ typedef struct gmds_memory {
   gmds_allocator allocator;
   size_t live;  /* bytes held now */
   size_t peak;  /* the largest `live` was */
-  size_t limit; /* `live` never exceeds it: SIZE_MAX unless set */
+  size_t limit; /* `live` never grows beyond it: SIZE_MAX unless set, may be changed at any time */
 } gmds_memory;
 
 /* Starts counting from zero; `allocator` NULL stands for the C library's. */

@@ -16,6 +16,10 @@
 #ifndef GMDS_PREDICATES_H
 #define GMDS_PREDICATES_H
 
+#if defined __cplusplus && __cplusplus < 201703L
+#  error "gmds: <gmds/predicates.h> has hexadecimal constants: compile as C++17 or later"
+#endif
+
 #include <float.h>
 #include <gmds/status.h>
 #include <math.h>

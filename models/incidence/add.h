@@ -129,6 +129,27 @@ static inline int allows_sides(size_t n)
   return (n == 3 && GMDS__TRIANGLES) || (n == 4 && GMDS__QUADRILATERALS) || (n >= 3 && GMDS__POLYGONS);
 }
 
+/* Whether n nodes are alive and distinct: compared in pairs while that is the shortest. */
+static inline gmds_status check_nodes(mesh *m, size_t n, const gmds_id *nodes)
+{
+  enum { FEW = 32 };
+  for (size_t k = 0; k < n; k++) {
+    if (!has_0(m, nodes[k]))
+      return GMDS_ERR_CELL;
+    for (size_t q = 0; n <= FEW && q < k; q++)
+      if (nodes[q] == nodes[k])
+        return GMDS_ERR_ARGUMENT;
+  }
+  if (n <= FEW)
+    return GMDS_OK;
+  m->found.n = 0;
+  GMDS_TRY(gmds_ids_reserve(&m->found, n));
+  memcpy(m->found.data, nodes, n * sizeof *nodes);
+  m->found.n = n;
+  gmds_ids_keep(&m->found, 0, 2, GMDS_NONE);
+  return m->found.n ? GMDS_ERR_ARGUMENT : GMDS_OK;
+}
+
 #if GMDS__S_2_2
 /* The free entry of face g for its side between a and b, or GMDS_NONE: the entry of that side where the order is kept,
  * any free one else, the `skip`-th. */
@@ -206,7 +227,7 @@ static inline gmds_status plan_links(mesh *m, size_t n, const gmds_id *nodes, co
 #if GMDS__S_2_2
     if (face != GMDS_NONE) {
       size_t before = 0; /* sides of the new face that meet the same face */
-      for (size_t q = 0; q < k; q++)
+      for (size_t q = 0; !GMDS_ORDERED_2_0 && q < k; q++)
         before += m->plan.data[n + q] == face;
       if (!has_2(m, face))
         return GMDS_ERR_CELL;
@@ -353,13 +374,7 @@ static inline gmds_status add_face_linked(mesh *m, size_t n, const gmds_id *node
 {
   if (!allows_sides(n))
     return GMDS_ERR_ARGUMENT;
-  for (size_t k = 0; k < n; k++) {
-    if (!has_0(m, nodes[k]))
-      return GMDS_ERR_CELL;
-    for (size_t q = 0; q < k; q++)
-      if (nodes[q] == nodes[k])
-        return GMDS_ERR_ARGUMENT;
-  }
+  GMDS_TRY(check_nodes(m, n, nodes));
   GMDS_TRY(plan_links(m, n, nodes, links));
   GMDS_TRY(grow(m, 2, 1));
   gmds_id f = gmds_cells_take(&m->cells[2]);

@@ -49,9 +49,9 @@ static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *
   gmds_status status = GMDS_ERR_MEMORY;
   if (gmds_resize(&m->memory, &node_of, 0, soup->n_points, sizeof(gmds_id)))
     status = fill_from_soup(m, soup, node_of, &list, error);
-  if (status == GMDS_ERR_MEMORY)
-    gmds_fail(error, status, "out of memory while a mesh of %zu points and %zu cells was built", soup->n_points,
-              soup->n_cells);
+  if (status == GMDS_ERR_MEMORY || status == GMDS_ERR_TOO_MANY)
+    gmds_fail(error, status, "a mesh of %zu points and %zu cells: %s", soup->n_points, soup->n_cells,
+              gmds_status_text(status));
   gmds_ids_clear(&list);
   gmds_release(&m->memory, node_of, node_of ? soup->n_points : 0, sizeof(gmds_id));
   if (status != GMDS_OK)

@@ -27,7 +27,7 @@ static inline gmds_status reserve(mesh *m, size_t nodes, size_t edges, size_t fa
 static inline gmds_status trim(mesh *m);
 
 /* Renumbers the cells so that there is no hole, in the order they have. maps[i], if not NULL, receives the new identifier
- * of each old i-cell, GMDS_NONE for holes; it has room for as many as m->cells[i].end. maps may be NULL. Invalidates
+ * of each old i-cell, GMDS_NONE for holes; it has room for end_i of them. maps may be NULL. Invalidates
  * every identifier. GMDS_OK or GMDS_ERR_MEMORY. O(mesh), constant when there is no hole. */
 static inline gmds_status compact(mesh *m, gmds_id *maps[3]);
 
@@ -45,14 +45,36 @@ static inline gmds_id next_0(const mesh *m, gmds_id v);
 static inline gmds_id next_1(const mesh *m, gmds_id e);
 static inline gmds_id next_2(const mesh *m, gmds_id f);
 
-/* The 2 or 3 coordinates of a live node (not checked); valid until a node is added. */
+/* The 2 or 3 coordinates of a live node (not checked, in either call); valid until a node is added. */
 static inline const double *point(const mesh *m, gmds_id v);
 static inline void set_point(mesh *m, gmds_id v, const double *x);
+
+/* One past the largest identifier in use: how long an array over all i-cells must be. */
+static inline size_t end_0(const mesh *m);
+static inline size_t end_1(const mesh *m);
+static inline size_t end_2(const mesh *m);
+
+/* The memory that the mesh counts in: its live and peak bytes and its limit; algorithms take their working space from
+ * it. */
+static inline gmds_memory *mesh_memory(mesh *m);
+
+/* ---- attributes: named columns of values beside the cells of one dimension (cells.h), which grow and move with them.
+
+ * Adds a column to the i-cells, i from 0 to 2. GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_ARGUMENT (no such dimension, no name, no
+ * component, unknown type); GMDS_ERR_CONFLICT (the name is taken). */
+static inline gmds_status add_attribute(mesh *m, int i, const char *name, gmds_value type, size_t components,
+                                        gmds_attribute **attribute);
+
+/* The column of a name, or NULL. */
+static inline gmds_attribute *find_attribute(const mesh *m, int i, const char *name);
+
+/* Removes a column of the i-cells and frees it. */
+static inline void remove_attribute(mesh *m, int i, gmds_attribute *attribute);
 
 /* ---- queries: get_adj_i_j puts the j-cells incident (i != j) or adjacent (i = j) to one i-cell into a list of the
  * caller: a set, without repetition and without GMDS_NONE; for 2 -> 0 in order around the face where GMDS_ORDERED_2_0.
  * 0 -> 0 is being joined by an edge, kept or not; 1 -> 1 sharing a node; 2 -> 2 sharing a side.
- * GMDS_OK; GMDS_ERR_CELL; GMDS_ERR_MEMORY (the list's content is lost). Cost: docs/costs.md, or `gmds models MASK`.
+ * GMDS_OK; GMDS_ERR_CELL; GMDS_ERR_MEMORY (the list's content is lost). Cost: docs/models.md, or `gmds models MASK`.
  * A query that the model cannot answer does not compile, and says what to add. */
 #if GMDS__CAN_0_0
 static inline gmds_status get_adj_0_0(const mesh *m, gmds_id v, gmds_ids *out);
@@ -150,6 +172,8 @@ static inline gmds_status all_adj_2_2(const mesh *m, gmds_csr *csr);
 
 /* ---- creation
 
+ * New cells take the identifiers of deleted ones: constant time without holes, else a search of O(end / 64) at worst.
+
  * A node with the model's 2 or 3 coordinates. GMDS_OK, GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY. */
 static inline gmds_status add_node(mesh *m, const double *x, gmds_id *id);
 
@@ -180,7 +204,8 @@ static inline gmds_status add_face_linked(mesh *m, size_t n, const gmds_id *node
 static inline gmds_status remove_face(mesh *m, gmds_id f, gmds_edges edges);
 
 /* An edge or a node: refused with GMDS_ERR_CONFLICT while something is on it, or after that has gone (GMDS_CASCADE; the
- * edges of faces that go stay, save those at the node). The rest as remove_face. */
+ * edges of faces that go stay, save those at the node; in a model that links no edges with nodes they go when they bound
+ * no other face). The rest as remove_face. */
 #if GMDS__K_1
 static inline gmds_status remove_edge(mesh *m, gmds_id e, gmds_around around);
 #endif
@@ -203,7 +228,8 @@ static inline gmds_id across(const mesh *m, gmds_id f, unsigned k, unsigned *arr
 
  * Replaces n_faces triangles by the n_sides triangles (sides[i].a, sides[i].b, apex). The sides are in order: the end of
  * each is the beginning of the next. The apex is a node that nothing is on. ids[i] receives the triangle on side i; the
- * identifiers of the cavity are used again. Attributes of reused cells stay as they were.
+ * identifiers of the cavity are used again. Attributes of reused cells stay as they were. That the apex, the faces and the
+ * sides are what they are said to be is not checked.
  * GMDS_OK; GMDS_ERR_ARGUMENT (n_sides is not n_faces + 2); GMDS_ERR_INVARIANT (an edge that should be there is not);
  * GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY. Nothing is looked up in models where F2E or N2E, or no edge, is stored.
  * In models that hold triangles, answer 2 -> 0 and do not store E2E. */

@@ -129,3 +129,11 @@
 #undef GMDS__MAKES_EDGES
 #undef GMDS__JOINED_BY_FACES
 #undef empty
+#undef end_0
+#undef end_1
+#undef end_2
+#undef mesh_memory
+#undef add_attribute
+#undef find_attribute
+#undef remove_attribute
+#undef check_nodes

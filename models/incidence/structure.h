@@ -220,6 +220,45 @@ static inline gmds_id next_2(const mesh *m, gmds_id f)
   return gmds_cells_next(&m->cells[2], f);
 }
 
+static inline size_t end_0(const mesh *m)
+{
+  return m->cells[0].end;
+}
+
+static inline size_t end_1(const mesh *m)
+{
+  return m->cells[1].end;
+}
+
+static inline size_t end_2(const mesh *m)
+{
+  return m->cells[2].end;
+}
+
+static inline gmds_memory *mesh_memory(mesh *m)
+{
+  return &m->memory;
+}
+
+static inline gmds_status add_attribute(mesh *m, int i, const char *name, gmds_value type, size_t components,
+                                        gmds_attribute **attribute)
+{
+  if (i < 0 || i > 2)
+    return GMDS_ERR_ARGUMENT;
+  return gmds_attribute_add(&m->cells[i], name, type, components, attribute);
+}
+
+static inline gmds_attribute *find_attribute(const mesh *m, int i, const char *name)
+{
+  return i < 0 || i > 2 ? NULL : gmds_attribute_find(&m->cells[i], name);
+}
+
+static inline void remove_attribute(mesh *m, int i, gmds_attribute *attribute)
+{
+  if (i >= 0 && i <= 2)
+    gmds_attribute_remove(&m->cells[i], attribute);
+}
+
 static inline const double *point(const mesh *m, gmds_id v)
 {
   return m->points + GMDS__DIM * (size_t)v;

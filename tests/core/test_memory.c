@@ -30,7 +30,11 @@ START_TEST(overflow_and_limit_are_refused)
   ck_assert(gmds_resize(&memory, &a, 0, 64, 1));
   ck_assert(!gmds_resize(&memory, &a, 64, 65, 1));
   ck_assert_uint_eq(memory.live, 64);
-  gmds_release(&memory, a, 64, 1);
+  memory.limit = 32; /* below what is held: it may shrink, not grow */
+  ck_assert(!gmds_resize(&memory, &a, 64, 65, 1));
+  ck_assert(gmds_resize(&memory, &a, 64, 40, 1));
+  ck_assert(!gmds_resize(&memory, &a, 40, 41, 1));
+  gmds_release(&memory, a, 40, 1);
 }
 END_TEST
 

@@ -198,6 +198,21 @@ START_TEST(equal_points_share_a_node_and_minus_zero_is_zero)
 }
 END_TEST
 
+START_TEST(a_result_may_be_zero_initialised)
+{
+  const double xy[] = {0, 0, 1, 0, 0, 1};
+  best_mesh m;
+  gmds_delaunay_result result = {0};
+  ck_assert_int_eq(best_mesh_init(&m, NULL), GMDS_OK);
+  ck_assert_int_eq(best_delaunay(&m, 3, xy, NULL, &result), GMDS_OK);
+  ck_assert_int_eq(result.dimension, 2);
+  gmds_delaunay_result_clear(&result);
+  best_mesh_clear(&m);
+  gmds_delaunay_result untouched = {0};
+  gmds_delaunay_result_clear(&untouched);
+}
+END_TEST
+
 START_TEST(a_node_never_has_minus_zero)
 {
   const double xy[] = {-0.0, -0.0, 1, -0.0, -0.0, 1};
@@ -383,7 +398,7 @@ END_TEST
 RUN_SUITE("delaunay", made_up_points_give_their_delaunay_triangulation,
           every_order_of_up_to_six_points_gives_the_same_triangles,
           few_points_and_points_on_a_line_give_their_dimension_and_chain,
-          equal_points_share_a_node_and_minus_zero_is_zero, a_node_never_has_minus_zero, extreme_coordinates_are_exact,
+          equal_points_share_a_node_and_minus_zero_is_zero, a_result_may_be_zero_initialised, a_node_never_has_minus_zero, extreme_coordinates_are_exact,
           scaling_by_powers_of_two_and_exact_translation_change_nothing,
           nan_and_infinity_are_named_and_leave_the_mesh_empty, a_cancelled_triangulation_leaves_the_mesh_empty,
           a_mesh_that_is_not_empty_is_refused_unchanged, every_failing_allocation_leaves_the_mesh_empty,

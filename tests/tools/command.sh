@@ -40,6 +40,9 @@ run 2 models --dim 5
 run 2 sweep --expect 123
 run 2 sweep --jobs zero
 run 2 models --csv=1
+run 2 sweep --plot x.png
+run 2 sweep --plot x.svg --csv x.svg
+run 2 info --dim 4 x.off
 
 # ---- models: the census
 run 0 models --dim 2 --csv
@@ -140,6 +143,11 @@ printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >index.off
 run 1 check index.off && says 'index.off:6'
 run 1 convert cube.off cube.xyzw && absent cube.xyzw
 run 2 convert cube.off
+run 0 convert random:100:1 points.f64
+run 0 convert points.f64 points.txt
+run 0 info points.f64 --json && prints '"points":100' && prints '"dim":2'
+run 0 delaunay points.txt --json && prints '"points":100'
+"$gmds" --help >/dev/full 2>err && fail 'a help that cannot be printed succeeds'
 run 1 info "$dir"
 cp cube.off same.off
 run 1 convert nan.txt same.off
