@@ -1,4 +1,4 @@
-// expect: gmds: delaunay() needs 2->0: add F2N, or F2E with E2N, or N2F, to GMDS_MODEL
+// expect: gmds: delaunay() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL (the inverse of a relation will do)
 #define GMDS_PREFIX tri
 #define GMDS_MODEL (N | F | F2F)
 #include <gmds/mesh.h>
