@@ -241,7 +241,7 @@ START_TEST(rows_that_cannot_grow_are_unchanged)
   failing f = {.until = 1000};
   gmds_allocator allocator = failing_allocator(&f);
   gmds_rows rows;
-  begin(&rows, 0);
+  memset(expected, 0, sizeof expected);
   gmds_memory_init(&memory, &allocator);
   gmds_rows_init(&rows, 0);
   gmds_status status = GMDS_ERR_MEMORY;
