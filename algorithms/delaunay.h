@@ -17,7 +17,8 @@
  *     result   may be NULL; cleared first. Points of lower dimension give no faces, but dimension and chain (delaunay.h)
  *   GMDS_OK; GMDS_ERR_ARGUMENT (the mesh is not empty); GMDS_ERR_COORDINATE (the error names the first point that is not
  *   finite); GMDS_ERR_TOO_MANY; GMDS_ERR_MEMORY; GMDS_ERR_CANCELLED; GMDS_ERR_PLATFORM. On failure the mesh is empty (one
- *   that was not is left as it was) and the result is empty. Expected O(n log n) where neighbours are local, else O(n) traversals of the mesh. */
+ *   that was not is left as it was) and the result is empty. Expected O(n log n) where neighbours are local, else O(n)
+ *   traversals of the mesh. */
 #ifndef GMDS__OPEN
 #  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/delaunay.h>"
 #endif
@@ -29,10 +30,12 @@
 _Static_assert(GMDS__DIM == 2, "gmds: delaunay() triangulates the plane: take DIM3 out of GMDS_MODEL");
 _Static_assert(GMDS__TRIANGLES, "gmds: delaunay() makes triangles: add TRIANGLE to GMDS_FACES");
 _Static_assert(!GMDS_STORED(1, 1), "gmds: delaunay() does not keep E2E true: take it out of GMDS_MODEL");
-_Static_assert(GMDS_CAN(2, 0), "gmds: delaunay() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL (the inverse of a relation will do)");
+_Static_assert(GMDS_CAN(2, 0), "gmds: delaunay() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL (the inverse of a "
+                               "relation will do)");
 _Static_assert(GMDS_CAN(2, 2), "gmds: delaunay() needs 2->2: add F2F, or F2N, or define GMDS_FACES TRIANGLE");
+_Static_assert(GMDS_ADDS_FACES, "gmds: delaunay() needs to find what is at a side: add F2N, or define GMDS_FACES TRIANGLE");
 
-#if GMDS__DIM == 2 && GMDS__TRIANGLES && !GMDS_STORED(1, 1) && GMDS_CAN(2, 0) && GMDS_CAN(2, 2)
+#if GMDS__DIM == 2 && GMDS__TRIANGLES && !GMDS_STORED(1, 1) && GMDS_CAN(2, 0) && GMDS_CAN(2, 2) && GMDS_ADDS_FACES
 #  define insertion GMDS_FN(insertion)
 #  define neighbours GMDS_FN(neighbours)
 #  define step_over GMDS_FN(step_over)

@@ -212,6 +212,8 @@ gmds_status gmds_mask_parse(const char *text, gmds_error *error, unsigned *mask)
       return gmds_fail(error, GMDS_ERR_ARGUMENT, "mask '%.80s': '|' is missing before '%.40s'", text, at);
     at++;
   }
+  if (parsed & GMDS_DIM2 && parsed & GMDS_DIM3)
+    return gmds_fail(error, GMDS_ERR_ARGUMENT, "mask '%.80s': a node has two coordinates (DIM2) or three (DIM3)", text);
   *mask = parsed;
   return GMDS_OK;
 }

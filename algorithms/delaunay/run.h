@@ -79,8 +79,8 @@ static inline gmds_status delaunay(mesh *m, size_t n, const double *xy, const gm
   if (n && !gmds_resize(mesh_memory(m), &order, 0, n, sizeof(gmds_id)))
     return gmds_fail(error, GMDS_ERR_MEMORY, "out of memory for the order of %zu points", n);
   status = place_nodes(m, n, xy, error, result, order);
-  if (status == GMDS_OK && result)
-    status = number_nodes(m, order, result);
+  if (status == GMDS_OK && result && number_nodes(m, order, result) != GMDS_OK)
+    status = gmds_fail(error, GMDS_ERR_MEMORY, "out of memory for the nodes of %zu points", n);
   gmds_release(mesh_memory(m), order, order ? n : 0, sizeof(gmds_id));
   size_t nodes = count_0(m);
   if (status == GMDS_OK) {

@@ -124,6 +124,9 @@ static inline gmds_status add_edge(mesh *m, gmds_id a, gmds_id b, gmds_id *id)
 /* Faces find or make their edges when something is stored about edges. */
 #define GMDS__MAKES_EDGES (GMDS__LINKED_EDGES || GMDS__S_1_2 || GMDS__S_2_1 || GMDS__S_1_1)
 
+/* add_face finds by itself what it has to link. */
+#define GMDS_ADDS_FACES ((!GMDS__S_2_2 || GMDS__FINDS_FACES) && (!GMDS__MAKES_EDGES || GMDS__FINDS_EDGES))
+
 static inline int allows_sides(size_t n)
 {
   return (n == 3 && GMDS__TRIANGLES) || (n == 4 && GMDS__QUADRILATERALS) || (n >= 3 && GMDS__POLYGONS);

@@ -186,7 +186,7 @@ static inline gmds_status add_edge(mesh *m, gmds_id a, gmds_id b, gmds_id *id);
 /* A face of n distinct nodes, listed around it; its edges are found or made. Every stored relation is kept true.
  * GMDS_OK; GMDS_ERR_ARGUMENT (n is not of the model's types, or a node occurs twice); GMDS_ERR_CELL (a node that does
  * not exist); GMDS_ERR_CONFLICT (F2F holds two faces a side, this would be the third); GMDS_ERR_UNSUPPORTED (the model
- * has no way to find what is at a side: use add_face_linked); GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY.
+ * has no way to find what is at a side, GMDS_ADDS_FACES is 0: use add_face_linked); GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY.
  * Local where the model finds faces and edges locally, else a traversal a side. */
 static inline gmds_status add_face(mesh *m, size_t n, const gmds_id *nodes, gmds_id *id);
 static inline gmds_status add_triangle(mesh *m, gmds_id a, gmds_id b, gmds_id c, gmds_id *id);

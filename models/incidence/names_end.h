@@ -137,3 +137,4 @@
 #undef find_attribute
 #undef remove_attribute
 #undef check_nodes
+#undef GMDS_ADDS_FACES

@@ -221,7 +221,7 @@ static gmds_status GMDS_FN(do_checksum)(const void *m, gmds_memory *memory, uint
 }
 #  endif
 
-#  if GMDS__DIM == 2 && GMDS__TRIANGLES && !GMDS_STORED(1, 1) && GMDS_CAN(2, 0) && GMDS_CAN(2, 2)
+#  if GMDS__DIM == 2 && GMDS__TRIANGLES && !GMDS_STORED(1, 1) && GMDS_CAN(2, 0) && GMDS_CAN(2, 2) && GMDS_ADDS_FACES
 #    define TEST_DELAUNAY 1
 #    include <gmds/algorithms/delaunay.h>
 static gmds_status GMDS_FN(do_delaunay)(void *m, size_t n, const double *xy, const gmds_delaunay_options *options,
