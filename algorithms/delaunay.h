@@ -33,7 +33,8 @@ _Static_assert(!GMDS_STORED(1, 1), "gmds: delaunay() does not keep E2E true: tak
 _Static_assert(GMDS_CAN(2, 0), "gmds: delaunay() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL (the inverse of a "
                                "relation will do)");
 _Static_assert(GMDS_CAN(2, 2), "gmds: delaunay() needs 2->2: add F2F, or F2N, or define GMDS_FACES TRIANGLE");
-_Static_assert(GMDS_ADDS_FACES, "gmds: delaunay() needs to find what is at a side: add F2N, or define GMDS_FACES TRIANGLE");
+_Static_assert(GMDS_ADDS_FACES,
+               "gmds: delaunay() needs to find what is at a side: add F2N, or define GMDS_FACES TRIANGLE");
 
 #if GMDS__DIM == 2 && GMDS__TRIANGLES && !GMDS_STORED(1, 1) && GMDS_CAN(2, 0) && GMDS_CAN(2, 2) && GMDS_ADDS_FACES
 #  define insertion GMDS_FN(insertion)

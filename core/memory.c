@@ -27,8 +27,7 @@ int gmds_resize(gmds_memory *memory, void **block, size_t old_count, size_t new_
   if (size && new_count > SIZE_MAX / size)
     return 0;
   size_t old_bytes = old_count * size, new_bytes = new_count * size;
-  if (new_bytes > old_bytes &&
-      (memory->live > memory->limit || new_bytes - old_bytes > memory->limit - memory->live))
+  if (new_bytes > old_bytes && (memory->live > memory->limit || new_bytes - old_bytes > memory->limit - memory->live))
     return 0;
   void *moved = memory->allocator.resize(memory->allocator.user, *block, old_bytes, new_bytes);
   if (!moved && new_bytes)

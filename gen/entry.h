@@ -46,10 +46,9 @@ enum {
   GMDS__CODE(2, 2) = GMDS__PATH_2_2
 };
 
-const model_entry GMDS_FN(entry) = {
-    .mask = GMDS__MASK,
-    .triangulate = GMDS_FN(triangulate),
-    .code = {{GMDS__CODE(0, 0), GMDS__CODE(0, 1), GMDS__CODE(0, 2)},
-             {GMDS__CODE(1, 0), GMDS__CODE(1, 1), GMDS__CODE(1, 2)},
-             {GMDS__CODE(2, 0), GMDS__CODE(2, 1), GMDS__CODE(2, 2)}}};
+const model_entry GMDS_FN(entry) = {.mask = GMDS__MASK,
+                                    .triangulate = GMDS_FN(triangulate),
+                                    .code = {{GMDS__CODE(0, 0), GMDS__CODE(0, 1), GMDS__CODE(0, 2)},
+                                             {GMDS__CODE(1, 0), GMDS__CODE(1, 1), GMDS__CODE(1, 2)},
+                                             {GMDS__CODE(2, 0), GMDS__CODE(2, 1), GMDS__CODE(2, 2)}}};
 #undef GMDS__CODE

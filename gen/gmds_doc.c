@@ -26,14 +26,15 @@ static void row(int table, const int *cells, int hops, const int *keep)
 
 static void print_composition(void)
 {
-  printf("# Composition tables\n\nComputed by `gmds_doc composition` from `models/tables.h`, the one list from which the "
-         "preprocessor chooses the path of each query, the census counts, and the tests compare. Source: de Bellabre, "
-         "Ledoux, Weill 2012, Tables 1 to 3; rows without a table are the relation itself and the two diagonal queries "
-         "that its matrices use.\n\n"
-         "A hop a → b follows a2b where it is stored, else it is a traversal of b2a. Among the rows of a pair the one "
-         "with the fewest traversals is taken, then the first; the relation's own inverse comes before other rows with "
-         "one traversal. Keep<sub>n</sub> keeps what occurs at least n times.\n\n"
-         "| query | path | term | source |\n|---|---|---|---|\n");
+  printf(
+      "# Composition tables\n\nComputed by `gmds_doc composition` from `models/tables.h`, the one list from which the "
+      "preprocessor chooses the path of each query, the census counts, and the tests compare. Source: de Bellabre, "
+      "Ledoux, Weill 2012, Tables 1 to 3; rows without a table are the relation itself and the two diagonal queries "
+      "that its matrices use.\n\n"
+      "A hop a → b follows a2b where it is stored, else it is a traversal of b2a. Among the rows of a pair the one "
+      "with the fewest traversals is taken, then the first; the relation's own inverse comes before other rows with "
+      "one traversal. Keep<sub>n</sub> keeps what occurs at least n times.\n\n"
+      "| query | path | term | source |\n|---|---|---|---|\n");
 #define P1(id, i, j) row_1(i, j);
 #define P2(id, t, i, k, j, n) row(t, (const int[]){i, k, j}, 2, (const int[]){1, n});
 #define P3(id, t, i, k, l, j, o, n) row(t, (const int[]){i, k, l, j}, 3, (const int[]){1, o, n});
@@ -52,15 +53,16 @@ static const char *mark(unsigned mask, int i, int j)
 static void print_models(void)
 {
   size_t count[4] = {0};
-  printf("# What each model answers\n\nComputed by `gmds_doc models`, one row for each of the 128 sets of the seven "
-         "relations; `gmds models --dim 2 --csv` prints the same.\n\n"
-         "D: stored. L: composed of stored relations, in time that does not grow with the mesh. G: one traversal of the "
-         "mesh. M: a series with at least one traversal. –: cannot be answered (does not compile). An asterisk: on faces "
-         "that are no triangles the stored relations do not decide it, so it exists only with "
-         "`#define GMDS_FACES TRIANGLE` (a quadrilateral whose diagonal is an edge elsewhere cannot be told from its "
-         "sides); without an asterisk the answer is exact on every face.\n\n"
-         "| model | 0→0 | 0→1 | 0→2 | 1→0 | 1→1 | 1→2 | 2→0 | 2→1 | 2→2 | Delaunay | paper |\n"
-         "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  printf(
+      "# What each model answers\n\nComputed by `gmds_doc models`, one row for each of the 128 sets of the seven "
+      "relations; `gmds models --dim 2 --csv` prints the same.\n\n"
+      "D: stored. L: composed of stored relations, in time that does not grow with the mesh. G: one traversal of the "
+      "mesh. M: a series with at least one traversal. –: cannot be answered (does not compile). An asterisk: on faces "
+      "that are no triangles the stored relations do not decide it, so it exists only with "
+      "`#define GMDS_FACES TRIANGLE` (a quadrilateral whose diagonal is an edge elsewhere cannot be told from its "
+      "sides); without an asterisk the answer is exact on every face.\n\n"
+      "| model | 0→0 | 0→1 | 0→2 | 1→0 | 1→1 | 1→2 | 2→0 | 2→1 | 2→2 | Delaunay | paper |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (size_t k = 0; k < gmds_census_size(2); k++) {
     char text[128];
     const gmds_census c = gmds_census_of(gmds_census_mask(2, k), 2);
@@ -77,7 +79,8 @@ static void print_models(void)
     count[2] += (size_t)c.paper105;
     count[3] += (size_t)c.complete;
   }
-  printf("\n%zu compute 2→0 and 2→2, which Delaunay triangulation asks for; %zu of them tell edges by their nodes; %zu are "
+  printf("\n%zu compute 2→0 and 2→2, which Delaunay triangulation asks for; %zu of them tell edges by their nodes; %zu "
+         "are "
          "the paper's; %zu of the 128 are complete.\n",
          count[0], count[1], count[2], count[3]);
 }

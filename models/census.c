@@ -16,7 +16,13 @@ typedef struct row {
 #define P2(id, t, i, k, j, n) {id, t, 2, {i, k, j}, {1, n}},
 #define P3(id, t, i, k, l, j, o, n) {id, t, 3, {i, k, l, j}, {1, o, n}},
 #define P4(id, t, i, k, l, m, j, o, p, n) {id, t, 4, {i, k, l, m, j}, {1, o, p, n}},
-#define END {0, 0, 0, {0}, {0}}
+#define END       \
+  {               \
+    0, 0, 0, {0}, \
+    {             \
+      0           \
+    }             \
+  }
 #define LIST(i, j, PATHS) [4 * i + j] = (const row[]){PATHS(P1, P2, P3, P4) END},
 static const row *const rows_of[16] = {GMDS_PAIR_LIST(LIST)};
 static const row joined_by_edges[] = {GMDS_PATHS_0_0_BY_EDGES(P1, P2, P3, P4) END};

@@ -5,6 +5,8 @@
 #ifndef GMDS_MODELS_CHOICE_H
 #define GMDS_MODELS_CHOICE_H
 
+/* clang-format off: the rows are a table */
+
 #include <gmds/models/tables.h>
 #include <gmds/relations.h>
 

@@ -114,7 +114,7 @@ enum { GMDS_FN(model) = (GMDS_MODEL) };
 #else
 #  define GMDS__S_3_3 0
 #endif
-#if (GMDS_MODEL) & DIM2 && (GMDS_MODEL) & DIM3
+#if (GMDS_MODEL) & DIM2 && (GMDS_MODEL)&DIM3
 #  error "gmds: GMDS_MODEL has both DIM2 and DIM3: a node has two coordinates or three"
 #  define GMDS__DIM 2
 #elif (GMDS_MODEL) & DIM3
@@ -167,7 +167,8 @@ enum { GMDS_FN(faces) = (GMDS_FACES) };
 #if !GMDS__K_0 || !GMDS__K_2
 #  error "gmds: a model keeps nodes and faces: add N|F to GMDS_MODEL"
 #endif
-#if !GMDS__K_1 && (GMDS__S_0_1 || GMDS__S_1_0 || GMDS__S_1_1 || GMDS__S_1_2 || GMDS__S_1_3 || GMDS__S_2_1 || GMDS__S_3_1)
+#if !GMDS__K_1 && \
+    (GMDS__S_0_1 || GMDS__S_1_0 || GMDS__S_1_1 || GMDS__S_1_2 || GMDS__S_1_3 || GMDS__S_2_1 || GMDS__S_3_1)
 #  error "gmds: GMDS_MODEL stores a relation of edges but keeps none: add E"
 #endif
 #if GMDS__K_3 || GMDS__S_0_3 || GMDS__S_1_3 || GMDS__S_2_3 || GMDS__S_3_0 || GMDS__S_3_1 || GMDS__S_3_2 || GMDS__S_3_3
@@ -178,13 +179,15 @@ enum { GMDS_FN(faces) = (GMDS_FACES) };
 #  error "gmds: E2E can be kept true only where edges and nodes are linked: add E2N or N2E to GMDS_MODEL"
 #endif
 
-#define GMDS__MASK \
-  (GMDS__K_0 * GMDS_CELL_BIT(0) | GMDS__K_1 * GMDS_CELL_BIT(1) | GMDS__K_2 * GMDS_CELL_BIT(2) | \
+#define GMDS__MASK                                                                                                \
+  (GMDS__K_0 * GMDS_CELL_BIT(0) | GMDS__K_1 * GMDS_CELL_BIT(1) | GMDS__K_2 * GMDS_CELL_BIT(2) |                   \
    GMDS__K_3 * GMDS_CELL_BIT(3) | GMDS__S_0_0 * GMDS_RELATION_BIT(0, 0) | GMDS__S_0_1 * GMDS_RELATION_BIT(0, 1) | \
-   GMDS__S_0_2 * GMDS_RELATION_BIT(0, 2) | GMDS__S_0_3 * GMDS_RELATION_BIT(0, 3) | GMDS__S_1_0 * GMDS_RELATION_BIT(1, 0) | \
-   GMDS__S_1_1 * GMDS_RELATION_BIT(1, 1) | GMDS__S_1_2 * GMDS_RELATION_BIT(1, 2) | GMDS__S_1_3 * GMDS_RELATION_BIT(1, 3) | \
-   GMDS__S_2_0 * GMDS_RELATION_BIT(2, 0) | GMDS__S_2_1 * GMDS_RELATION_BIT(2, 1) | GMDS__S_2_2 * GMDS_RELATION_BIT(2, 2) | \
-   GMDS__S_2_3 * GMDS_RELATION_BIT(2, 3) | GMDS__S_3_0 * GMDS_RELATION_BIT(3, 0) | GMDS__S_3_1 * GMDS_RELATION_BIT(3, 1) | \
+   GMDS__S_0_2 * GMDS_RELATION_BIT(0, 2) | GMDS__S_0_3 * GMDS_RELATION_BIT(0, 3) |                                \
+   GMDS__S_1_0 * GMDS_RELATION_BIT(1, 0) | GMDS__S_1_1 * GMDS_RELATION_BIT(1, 1) |                                \
+   GMDS__S_1_2 * GMDS_RELATION_BIT(1, 2) | GMDS__S_1_3 * GMDS_RELATION_BIT(1, 3) |                                \
+   GMDS__S_2_0 * GMDS_RELATION_BIT(2, 0) | GMDS__S_2_1 * GMDS_RELATION_BIT(2, 1) |                                \
+   GMDS__S_2_2 * GMDS_RELATION_BIT(2, 2) | GMDS__S_2_3 * GMDS_RELATION_BIT(2, 3) |                                \
+   GMDS__S_3_0 * GMDS_RELATION_BIT(3, 0) | GMDS__S_3_1 * GMDS_RELATION_BIT(3, 1) |                                \
    GMDS__S_3_2 * GMDS_RELATION_BIT(3, 2) | GMDS__S_3_3 * GMDS_RELATION_BIT(3, 3))
 
 /* How a relation of faces is stored: inline when all faces have the same number of sides. */

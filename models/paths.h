@@ -37,7 +37,8 @@
 #define GMDS__EXACT_1_2 (GMDS__KNOWS_SIDES || GMDS__ROW_1_2 != 2)
 #define GMDS__EXACT_2_0 1
 #define GMDS__EXACT_2_1 (GMDS__KNOWS_SIDES || GMDS__ROW_2_1 != 2)
-#define GMDS__EXACT_2_2 (GMDS__KNOWS_SIDES || (GMDS__ROW_2_2 != 3 && GMDS__ROW_2_2 != 5 && !(GMDS__ROW_2_2 == 4 && !GMDS__S_2_1)))
+#define GMDS__EXACT_2_2 \
+  (GMDS__KNOWS_SIDES || (GMDS__ROW_2_2 != 3 && GMDS__ROW_2_2 != 5 && !(GMDS__ROW_2_2 == 4 && !GMDS__S_2_1)))
 #define GMDS__CAN_0_0 (GMDS__PATH_0_0 != 0 && GMDS__EXACT_0_0)
 #define GMDS__CAN_0_1 (GMDS__PATH_0_1 != 0 && GMDS__EXACT_0_1)
 #define GMDS__CAN_0_2 (GMDS__PATH_0_2 != 0 && GMDS__EXACT_0_2)
@@ -63,11 +64,13 @@
 #define GMDS__W3(id, t, i, k, l, j, o, n)
 #define GMDS__W4(id, t, i, k, l, m, j, o, p, n)
 #define GMDS__SORRY(i, j, PATHS) GMDS__CANNOT(i, j, PATHS(GMDS__W1, GMDS__W2, GMDS__W3, GMDS__W4))
-#define GMDS__CANNOT(i, j, advice)                                                                                     \
-  GMDS_UNAVAILABLE("gmds: model '" GMDS_TEXT(GMDS_PREFIX) "' cannot answer " #i "->" #j ": add " advice                \
+#define GMDS__CANNOT(i, j, advice)                               \
+  GMDS_UNAVAILABLE("gmds: model '" GMDS_TEXT(                    \
+      GMDS_PREFIX) "' cannot answer " #i "->" #j ": add " advice \
                    " to GMDS_MODEL (the inverse of a relation will do, at the cost of a traversal)")
-#define GMDS__UNDECIDED(i, j)                                                                                          \
-  GMDS_UNAVAILABLE("gmds: model '" GMDS_TEXT(GMDS_PREFIX) "' cannot decide " #i "->" #j                                \
+#define GMDS__UNDECIDED(i, j)                    \
+  GMDS_UNAVAILABLE("gmds: model '" GMDS_TEXT(    \
+      GMDS_PREFIX) "' cannot decide " #i "->" #j \
                    " on faces that are no triangles: add F2N to GMDS_MODEL, or define GMDS_FACES TRIANGLE")
 
 /* What an algorithm may ask of the open model at compile time:
@@ -78,5 +81,5 @@
 #define GMDS_CAN(i, j) GMDS__CAN_##i##_##j
 #define GMDS_STORED(i, j) GMDS__S_##i##_##j
 #define GMDS_ORDERED_2_0 (GMDS__S_2_0 || (GMDS__S_2_1 && GMDS__S_1_0))
-#define GMDS_ACROSS                                                                                                    \
+#define GMDS_ACROSS \
   (GMDS_ORDERED_2_0 && (GMDS__S_2_2 || (GMDS__S_2_1 && GMDS__S_1_2) || GMDS__S_0_2 || (GMDS__S_0_1 && GMDS__S_1_2)))

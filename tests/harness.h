@@ -26,11 +26,11 @@ static inline int run_suite(const char *name, const TTest *const *tests, size_t 
   return failed != 0;
 }
 
-#define RUN_SUITE(name, ...)                                                                                           \
-  int main(void)                                                                                                       \
-  {                                                                                                                    \
-    const TTest *const tests[] = {__VA_ARGS__};                                                                        \
-    return run_suite(name, tests, sizeof tests / sizeof *tests);                                                       \
+#define RUN_SUITE(name, ...)                                     \
+  int main(void)                                                 \
+  {                                                              \
+    const TTest *const tests[] = {__VA_ARGS__};                  \
+    return run_suite(name, tests, sizeof tests / sizeof *tests); \
   }
 
 /* splitmix64: every random test states its seed. */

@@ -31,8 +31,8 @@ static const option *find_option(const option *options, size_t n, const char *wo
   return NULL;
 }
 
-int read_arguments(const verb *v, int argc, char **argv, const option *options, size_t n_options, const char **positional,
-                   int least, int most)
+int read_arguments(const verb *v, int argc, char **argv, const option *options, size_t n_options,
+                   const char **positional, int least, int most)
 {
   int n = 0, only_positional = 0;
   for (int i = 0; i < argc; i++) {
@@ -170,10 +170,11 @@ const model_entry *find_model(const char *text, gmds_error *error)
       gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%.80s' cannot answer 2->%d: %s", text, j, advice);
       return NULL;
     }
-  gmds_fail(error, GMDS_ERR_UNSUPPORTED,
-            "model '%.80s' is none of the %zu that this command holds: masks of N, F, E and the relations N2E N2F E2N E2F "
-            "F2N F2E F2F",
-            text, n);
+  gmds_fail(
+      error, GMDS_ERR_UNSUPPORTED,
+      "model '%.80s' is none of the %zu that this command holds: masks of N, F, E and the relations N2E N2F E2N E2F "
+      "F2N F2E F2F",
+      text, n);
   return NULL;
 }
 

@@ -28,8 +28,8 @@ typedef struct verb {
 
 /* Reads the arguments of a verb: fills options, and up to `most` positional arguments of which `least` must be there.
  * Returns -1 to go on, else what the verb returns at once: DONE after --help (printed), USAGE after a sentence. */
-int read_arguments(const verb *v, int argc, char **argv, const option *options, size_t n_options, const char **positional,
-                   int least, int most);
+int read_arguments(const verb *v, int argc, char **argv, const option *options, size_t n_options,
+                   const char **positional, int least, int most);
 
 /* One sentence on stderr; returns FAILED (USAGE with a hint at --help). */
 #if defined __GNUC__

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #define GMDS_PREFIX full
-#define GMDS_MODEL (DIM3|N|E|F|N2E|N2F|E2N|E2F|F2N|F2E)
+#define GMDS_MODEL (DIM3 | N | E | F | N2E | N2F | E2N | E2F | F2N | F2E)
 #include <gmds/mesh.h>
 #include <gmds/end.h>
 
@@ -224,7 +224,8 @@ static int run_check(const verb *v, int argc, char **argv)
     size_t count[4];
     gmds_soup_count(&soup, count);
     if (count[3])
-      status = gmds_fail(&error, GMDS_ERR_UNSUPPORTED, "%s: has %zu volumes, this version checks faces", path, count[3]);
+      status =
+          gmds_fail(&error, GMDS_ERR_UNSUPPORTED, "%s: has %zu volumes, this version checks faces", path, count[3]);
   }
   if (status == GMDS_OK) {
     status = check_soup(&soup, &m, &error, &f);
@@ -239,9 +240,12 @@ static int run_check(const verb *v, int argc, char **argv)
   return status == GMDS_OK ? DONE : FAILED;
 }
 
-const verb verb_convert = {"convert", "IN OUT [--dim 2|3]", "a mesh or points from one format to another (.off .vtk .mesh .node .txt "
-                                                ".f64; a picture for .svg)", run_convert};
-const verb verb_info = {"info", "FILE [--json] [--dim 2|3]", "what a file holds: points, cells by type, bounding box", run_info};
-const verb verb_check = {"check", "FILE [--json] [--dim 2|3]",
-                         "builds the mesh of a file with every relation, verifies them, and reports borders and the like",
-                         run_check};
+const verb verb_convert = {"convert", "IN OUT [--dim 2|3]",
+                           "a mesh or points from one format to another (.off .vtk .mesh .node .txt "
+                           ".f64; a picture for .svg)",
+                           run_convert};
+const verb verb_info = {"info", "FILE [--json] [--dim 2|3]", "what a file holds: points, cells by type, bounding box",
+                        run_info};
+const verb verb_check = {
+    "check", "FILE [--json] [--dim 2|3]",
+    "builds the mesh of a file with every relation, verifies them, and reports borders and the like", run_check};

@@ -116,8 +116,9 @@ static int run(const verb *v, int argc, char **argv)
 {
   const char *text = NULL, *dim_text = NULL;
   int csv = 0;
-  const option options[] = {{"dim", 0, &dim_text, NULL, "2|3  dimension of the census (default 2; 3 for a mask with R)"},
-                            {"csv", 0, NULL, &csv, "print the census as CSV"}};
+  const option options[] = {
+      {"dim", 0, &dim_text, NULL, "2|3  dimension of the census (default 2; 3 for a mask with R)"},
+      {"csv", 0, NULL, &csv, "print the census as CSV"}};
   int code = read_arguments(v, argc, argv, options, 2, &text, 0, 1);
   if (code >= 0)
     return code;
@@ -144,4 +145,5 @@ static int run(const verb *v, int argc, char **argv)
 }
 
 const verb verb_models = {"models", "[MASK] [--dim 2|3] [--csv]",
-                          "what each mesh model can answer, and at what cost; for one mask its matrices and paths", run};
+                          "what each mesh model can answer, and at what cost; for one mask its matrices and paths",
+                          run};

@@ -116,11 +116,14 @@ static void print_ticks(FILE *file, const axes *a, int axis)
         continue;
       double y = steps[s] * pow(10, power);
       if (axis == 0)
-        fprintf(file, "<path stroke=\"#ddd\" d=\"M%.1f %d v%d\"/><text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%g kB</text>\n", at, TOP,
-                HEIGHT, at, TOP + HEIGHT + 18, y / 1000);
+        fprintf(
+            file,
+            "<path stroke=\"#ddd\" d=\"M%.1f %d v%d\"/><text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%g kB</text>\n",
+            at, TOP, HEIGHT, at, TOP + HEIGHT + 18, y / 1000);
       else
-        fprintf(file, "<path stroke=\"#ddd\" d=\"M%d %.1f h%d\"/><text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%g s</text>\n", LEFT, at,
-                WIDTH, LEFT - 6, at + 4, y);
+        fprintf(file,
+                "<path stroke=\"#ddd\" d=\"M%d %.1f h%d\"/><text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%g s</text>\n",
+                LEFT, at, WIDTH, LEFT - 6, at + 4, y);
     }
 }
 
@@ -141,8 +144,9 @@ static void print_dots(FILE *file, const axes *a, const sweep_row *rows, size_t 
       if (!rows[k].ok || on_front(rows, n, k) != front)
         continue;
       double x = across_axis(a, 0, value(&rows[k], 0)), y = across_axis(a, 1, value(&rows[k], 1));
-      fprintf(file, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%s\" fill=\"%s\"><title>%s: %.6f s, %zu bytes</title></circle>\n",
-              x, y, front ? "5" : "3.5", front ? "#c0392b" : "#24507c", rows[k].model, rows[k].report.seconds,
+      fprintf(file,
+              "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%s\" fill=\"%s\"><title>%s: %.6f s, %zu bytes</title></circle>\n", x,
+              y, front ? "5" : "3.5", front ? "#c0392b" : "#24507c", rows[k].model, rows[k].report.seconds,
               rows[k].report.bytes);
       if (!front)
         continue;
@@ -159,12 +163,14 @@ gmds_status write_plot(const char *path, const sweep_row *rows, size_t n, gmds_e
   GMDS_TRY(gmds_output_open(&output, path, error));
   FILE *file = output.file;
   const axes a = axes_of(rows, n);
-  fprintf(file,
-          "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" font-family=\"sans-serif\" font-size=\"12\">\n"
-          "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
-          "<text x=\"%d\" y=\"24\" font-size=\"15\">Delaunay triangulation of %zu points: one dot a mesh model, the Pareto front "
-          "in red</text>\n",
-          LEFT + WIDTH + 60, TOP + HEIGHT + 50, LEFT, n ? rows[0].points : 0);
+  fprintf(
+      file,
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" font-family=\"sans-serif\" font-size=\"12\">\n"
+      "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
+      "<text x=\"%d\" y=\"24\" font-size=\"15\">Delaunay triangulation of %zu points: one dot a mesh model, the Pareto "
+      "front "
+      "in red</text>\n",
+      LEFT + WIDTH + 60, TOP + HEIGHT + 50, LEFT, n ? rows[0].points : 0);
   print_ticks(file, &a, 0);
   print_ticks(file, &a, 1);
   print_dots(file, &a, rows, n);

@@ -87,7 +87,9 @@ static void run_model(const sweep *s, const gmds_soup *points, size_t k)
   row->points = points->n_points;
   row->ok = status == GMDS_OK && (!s->expect || strcmp(sum, s->expect) == 0);
   snprintf(row->status, sizeof row->status, "%s",
-           status != GMDS_OK ? error.text : row->ok ? "ok" : "differs from the expected checksum");
+           status != GMDS_OK ? error.text
+           : row->ok         ? "ok"
+                             : "differs from the expected checksum");
 }
 
 /* Every process takes each J-th model. */
@@ -128,8 +130,8 @@ static void print_row(FILE *file, const sweep_row *r, int csv)
 {
   const char *form = csv ? r->ok ? "%s,%zu,%zu,%.6f,%zu,%zu,%016llx,%s\n" : "%s,%zu,%zu,%.6f,%zu,%zu,%016llx,\"%s\"\n"
                          : "%-36s %8zu %9zu %11.6f %11zu %11zu  %016llx  %s\n";
-  fprintf(file, form, r->model, r->points, r->report.triangles, r->report.seconds, r->report.bytes, r->report.peak_bytes,
-          (unsigned long long)r->report.sum, r->status);
+  fprintf(file, form, r->model, r->points, r->report.triangles, r->report.seconds, r->report.bytes,
+          r->report.peak_bytes, (unsigned long long)r->report.sum, r->status);
 }
 
 static gmds_status write_csv(const sweep *s, gmds_error *error)
@@ -199,8 +201,8 @@ static int run_sweep(sweep *s)
   int code = FAILED;
   gmds_memory_init(&memory, NULL);
   gmds_soup_init(&points, &memory, 2);
-  if (choose(s, &error) != GMDS_OK || try_output(s->csv, &error) != GMDS_OK ||
-      try_output(s->plot, &error) != GMDS_OK || gmds_make_points(s->points, 2, &error, &points) != GMDS_OK) {
+  if (choose(s, &error) != GMDS_OK || try_output(s->csv, &error) != GMDS_OK || try_output(s->plot, &error) != GMDS_OK ||
+      gmds_make_points(s->points, 2, &error, &points) != GMDS_OK) {
     code = failed("%s", error.text);
     goto end;
   }
@@ -259,5 +261,6 @@ static int run(const verb *v, int argc, char **argv)
   return run_sweep(&s);
 }
 
-const verb verb_sweep = {"sweep", "[--points SPEC] [--models LIST] [--expect SUM] [--csv FILE] [--plot FILE.svg] [--jobs J]",
-                         "one Bowyer-Watson text over many mesh models: time and memory of each, results compared", run};
+const verb verb_sweep = {
+    "sweep", "[--points SPEC] [--models LIST] [--expect SUM] [--csv FILE] [--plot FILE.svg] [--jobs J]",
+    "one Bowyer-Watson text over many mesh models: time and memory of each, results compared", run};

@@ -4,15 +4,15 @@
 typedef struct insertion {
   mesh *m;
   gmds_id ghost;
-  gmds_cavity_face last;    /* a finite triangle near the last point */
-  size_t n_faces, n_sides;  /* of the cavity */
-  size_t capacity;          /* the lists hold as many faces, and two more sides */
+  gmds_cavity_face last;   /* a finite triangle near the last point */
+  size_t n_faces, n_sides; /* of the cavity */
+  size_t capacity;         /* the lists hold as many faces, and two more sides */
   gmds_cavity_face *faces;
   gmds_cavity_side *sides;
   gmds_id *ids;
-  uint64_t *stack;          /* sides to be crossed: 4 * index of the face + side */
+  uint64_t *stack;               /* sides to be crossed: 4 * index of the face + side */
   gmds_cavity_face (*around)[3]; /* models without across(): the triangles beyond the sides of each face */
-  gmds_ids near, nodes;     /* answers of queries */
+  gmds_ids near, nodes;          /* answers of queries */
 } insertion;
 
 #if GMDS_ACROSS

@@ -11,12 +11,12 @@ extern "C" {
 #endif
 
 /* X(name, C type, text) */
-#define GMDS_VALUE_LIST(X)                                                                                             \
-  X(GMDS_DOUBLE, double, "double")                                                                                     \
-  X(GMDS_FLOAT, float, "float")                                                                                        \
-  X(GMDS_INT, int, "int")                                                                                              \
-  X(GMDS_LONG, int64_t, "long")                                                                                        \
-  X(GMDS_BYTE, uint8_t, "byte")                                                                                        \
+#define GMDS_VALUE_LIST(X)         \
+  X(GMDS_DOUBLE, double, "double") \
+  X(GMDS_FLOAT, float, "float")    \
+  X(GMDS_INT, int, "int")          \
+  X(GMDS_LONG, int64_t, "long")    \
+  X(GMDS_BYTE, uint8_t, "byte")    \
   X(GMDS_ID, gmds_id, "id")
 
 #define GMDS_VALUE_ENUM_(name, type, text) name,

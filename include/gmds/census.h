@@ -13,11 +13,11 @@ extern "C" {
 
 /* X(name, word): cost classes of a query, from the cheapest ([models] 2.3.1). DIRECT: stored. LOCAL: composed of stored
  * relations. GLOBAL: one traversal of the mesh. MIXED: a series with at least one traversal. NONE: cannot be answered. */
-#define GMDS_COST_LIST(X)                                                                                              \
-  X(GMDS_COST_DIRECT, "direct")                                                                                        \
-  X(GMDS_COST_LOCAL, "local")                                                                                          \
-  X(GMDS_COST_GLOBAL, "global")                                                                                        \
-  X(GMDS_COST_MIXED, "mixed")                                                                                          \
+#define GMDS_COST_LIST(X)       \
+  X(GMDS_COST_DIRECT, "direct") \
+  X(GMDS_COST_LOCAL, "local")   \
+  X(GMDS_COST_GLOBAL, "global") \
+  X(GMDS_COST_MIXED, "mixed")   \
   X(GMDS_COST_NONE, "none")
 
 #define GMDS_COST_ENUM_(name, word) name,
@@ -28,14 +28,14 @@ const char *gmds_cost_text(gmds_cost cost); /* never NULL */
 
 /* How j-cells are reached from an i-cell in a model. */
 typedef struct gmds_path {
-  int code;        /* as the preprocessor's choice: 16 * row + inverse hops; 0 where there is no path */
-  int table;       /* 1 to 3: the table of the paper; 0: the relation itself, 0 -> 0 and 1 -> 1 */
-  int hops;        /* 0 (no path) to 4 */
-  int cells[5];    /* dimensions along the path, hops + 1 of them */
-  int keep[4];     /* copies kept after each hop */
+  int code;         /* as the preprocessor's choice: 16 * row + inverse hops; 0 where there is no path */
+  int table;        /* 1 to 3: the table of the paper; 0: the relation itself, 0 -> 0 and 1 -> 1 */
+  int hops;         /* 0 (no path) to 4 */
+  int cells[5];     /* dimensions along the path, hops + 1 of them */
+  int keep[4];      /* copies kept after each hop */
   unsigned inverse; /* bit s: hop s is a traversal */
   gmds_cost cost;
-  unsigned exact;  /* for i, j <= 2: the face types (bits of GMDS_FACE_TYPE_LIST) on which the answer is exact in a
+  unsigned exact; /* for i, j <= 2: the face types (bits of GMDS_FACE_TYPE_LIST) on which the answer is exact in a
                       model that holds no others, or, with all three bits, in any model; 0 for a query of volumes */
 } gmds_path;
 
@@ -44,12 +44,12 @@ gmds_path gmds_path_of(unsigned mask, int i, int j);
 
 /* What the census says of one model of dimension 2 or 3. */
 typedef struct gmds_census {
-  unsigned mask;   /* with the bits of its cells */
-  int computable;  /* 2 -> 0 and 2 -> 2 (3 -> 0 and 3 -> 3) can be answered */
-  int identified;  /* every kept cell between nodes and the top can be told by its nodes */
-  int paper105;    /* one of the 105 models of [models] 4.2 (dimension 2) */
-  int full;        /* every cell up to the dimension is kept */
-  int complete;    /* every query between kept cells is direct or local */
+  unsigned mask;  /* with the bits of its cells */
+  int computable; /* 2 -> 0 and 2 -> 2 (3 -> 0 and 3 -> 3) can be answered */
+  int identified; /* every kept cell between nodes and the top can be told by its nodes */
+  int paper105;   /* one of the 105 models of [models] 4.2 (dimension 2) */
+  int full;       /* every cell up to the dimension is kept */
+  int complete;   /* every query between kept cells is direct or local */
 } gmds_census;
 
 gmds_census gmds_census_of(unsigned mask, int dim);

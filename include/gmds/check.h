@@ -11,13 +11,13 @@ extern "C" {
 
 /* The stored relations of a mesh up to faces. */
 typedef struct gmds_relations {
-  unsigned mask;              /* which are stored */
-  int triangles;              /* the model holds no other faces */
-  int ordered;                /* faces list their nodes (F2N) or edges (F2E) in their order around the face */
-  int aligned;                /* entry k of F2F belongs to side k, GMDS_NONE where there is no face */
-  size_t end[3];              /* identifiers of nodes, edges, faces */
+  unsigned mask; /* which are stored */
+  int triangles; /* the model holds no other faces */
+  int ordered;   /* faces list their nodes (F2N) or edges (F2E) in their order around the face */
+  int aligned;   /* entry k of F2F belongs to side k, GMDS_NONE where there is no face */
+  size_t end[3]; /* identifiers of nodes, edges, faces */
   const gmds_bits *alive[3];
-  gmds_csr relation[3][3];    /* relation[i][j] where i2j is stored */
+  gmds_csr relation[3][3]; /* relation[i][j] where i2j is stored */
 } gmds_relations;
 
 /* Checks that every entry names a live cell, that cells have as many nodes as they must, that i2j and j2i agree, that

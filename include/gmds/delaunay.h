@@ -18,12 +18,12 @@ typedef struct gmds_delaunay_options {
 /* Zero-initialise it before the first use, or give it an allocator of its own by gmds_delaunay_result_init; clear it
  * after the last use. */
 typedef struct gmds_delaunay_result {
-  gmds_memory memory;  /* the result's own: its arrays do not count as the mesh's */
-  int dimension;       /* of the points: -1 (none), 0, 1 (on one line) or 2 */
-  size_t points;       /* how many were given */
-  size_t distinct;     /* how many of them differ: the nodes of the mesh */
-  gmds_id *node_of;    /* `points` entries: the node of each point; of equal points the first gives the node */
-  gmds_id *chain;      /* dimension 0 and 1: the `distinct` nodes in order along the line; else NULL */
+  gmds_memory memory; /* the result's own: its arrays do not count as the mesh's */
+  int dimension;      /* of the points: -1 (none), 0, 1 (on one line) or 2 */
+  size_t points;      /* how many were given */
+  size_t distinct;    /* how many of them differ: the nodes of the mesh */
+  gmds_id *node_of;   /* `points` entries: the node of each point; of equal points the first gives the node */
+  gmds_id *chain;     /* dimension 0 and 1: the `distinct` nodes in order along the line; else NULL */
 } gmds_delaunay_result;
 
 /* An empty result; allocator NULL stands for the C library's. */

@@ -12,7 +12,7 @@ extern "C" {
 
 /* A relation of a whole mesh: the cells of cell c are data[begin[c]] to data[begin[c + 1] - 1]. Owned by the caller. */
 typedef struct gmds_csr {
-  size_t n;       /* cells, holes included: `begin` has n + 1 entries, or is NULL */
+  size_t n; /* cells, holes included: `begin` has n + 1 entries, or is NULL */
   size_t *begin;
   gmds_id *data;
   size_t capacity; /* of data */

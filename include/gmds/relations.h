@@ -3,6 +3,8 @@
 #ifndef GMDS_RELATIONS_H
 #define GMDS_RELATIONS_H
 
+/* clang-format off: the rows are a table */
+
 #define GMDS_CELL_BIT(i) (1 << (i))
 #define GMDS_RELATION_BIT(i, j) (1 << (4 + 4 * (i) + (j)))
 

@@ -22,11 +22,11 @@ extern "C" {
 typedef struct gmds_rows {
   gmds_id *pool;
   size_t pool_used, pool_capacity;
-  gmds_id *start;   /* where a row's block begins in the pool */
-  gmds_id *length;  /* entries of a row */
-  uint8_t *size;    /* capacity: the number itself up to GMDS_ROWS_LONG, doublings beyond */
+  gmds_id *start;  /* where a row's block begins in the pool */
+  gmds_id *length; /* entries of a row */
+  uint8_t *size;   /* capacity: the number itself up to GMDS_ROWS_LONG, doublings beyond */
   size_t n_rows;
-  int ordered;      /* entries have positions: no hash, no removal of single entries */
+  int ordered;                     /* entries have positions: no hash, no removal of single entries */
   gmds_id free[GMDS_ROWS_CLASSES]; /* the first free block of each capacity; blocks are linked through their entries */
 } gmds_rows;
 
@@ -59,11 +59,11 @@ static inline gmds_id *gmds_rows_get(const gmds_rows *rows, size_t r, size_t *n)
 }
 
 /* The changes of a row that cannot fail. Constant time each, up to GMDS_ROWS_LONG comparisons in a short row. */
-void gmds_rows_push(gmds_rows *rows, size_t r, gmds_id x);                 /* room was reserved */
-void gmds_rows_remove(gmds_rows *rows, size_t r, gmds_id x);               /* the last entry takes its place */
-void gmds_rows_replace(gmds_rows *rows, size_t r, gmds_id x, gmds_id y);   /* the first x becomes y */
-void gmds_rows_empty(gmds_rows *rows, size_t r);                           /* keeps its block */
-void gmds_rows_release(gmds_rows *rows, size_t r);                         /* empties it and frees its block */
+void gmds_rows_push(gmds_rows *rows, size_t r, gmds_id x);               /* room was reserved */
+void gmds_rows_remove(gmds_rows *rows, size_t r, gmds_id x);             /* the last entry takes its place */
+void gmds_rows_replace(gmds_rows *rows, size_t r, gmds_id x, gmds_id y); /* the first x becomes y */
+void gmds_rows_empty(gmds_rows *rows, size_t r);                         /* keeps its block */
+void gmds_rows_release(gmds_rows *rows, size_t r);                       /* empties it and frees its block */
 
 /* The position of x in row r, or GMDS_NONE. */
 gmds_id gmds_rows_find(const gmds_rows *rows, size_t r, gmds_id x);

@@ -11,21 +11,21 @@ extern "C" {
 #endif
 
 /* X(name, what it means) */
-#define GMDS_STATUS_LIST(X)                                                                                            \
-  X(GMDS_OK, "done")                                                                                                   \
-  X(GMDS_ERR_ARGUMENT, "an argument is not of the form that the call takes")                                           \
-  X(GMDS_ERR_MEMORY, "out of memory")                                                                                  \
-  X(GMDS_ERR_TOO_MANY, "more cells than the index type holds")                                                         \
-  X(GMDS_ERR_CELL, "no such cell")                                                                                     \
-  X(GMDS_ERR_CONFLICT, "the mesh cannot hold this cell beside those it has")                                           \
-  X(GMDS_ERR_COORDINATE, "a coordinate is not a finite number")                                                        \
-  X(GMDS_ERR_CANCELLED, "cancelled by the caller")                                                                     \
-  X(GMDS_ERR_OPEN, "a file cannot be opened")                                                                          \
-  X(GMDS_ERR_READ, "a file cannot be read")                                                                            \
-  X(GMDS_ERR_WRITE, "a file cannot be written")                                                                        \
-  X(GMDS_ERR_FORMAT, "a file is not of its format")                                                                    \
-  X(GMDS_ERR_UNSUPPORTED, "not supported by this model or format")                                                     \
-  X(GMDS_ERR_INVARIANT, "stored relations contradict each other")                                                      \
+#define GMDS_STATUS_LIST(X)                                                  \
+  X(GMDS_OK, "done")                                                         \
+  X(GMDS_ERR_ARGUMENT, "an argument is not of the form that the call takes") \
+  X(GMDS_ERR_MEMORY, "out of memory")                                        \
+  X(GMDS_ERR_TOO_MANY, "more cells than the index type holds")               \
+  X(GMDS_ERR_CELL, "no such cell")                                           \
+  X(GMDS_ERR_CONFLICT, "the mesh cannot hold this cell beside those it has") \
+  X(GMDS_ERR_COORDINATE, "a coordinate is not a finite number")              \
+  X(GMDS_ERR_CANCELLED, "cancelled by the caller")                           \
+  X(GMDS_ERR_OPEN, "a file cannot be opened")                                \
+  X(GMDS_ERR_READ, "a file cannot be read")                                  \
+  X(GMDS_ERR_WRITE, "a file cannot be written")                              \
+  X(GMDS_ERR_FORMAT, "a file is not of its format")                          \
+  X(GMDS_ERR_UNSUPPORTED, "not supported by this model or format")           \
+  X(GMDS_ERR_INVARIANT, "stored relations contradict each other")            \
   X(GMDS_ERR_PLATFORM, "the floating-point arithmetic of this build is not IEEE 754 double")
 
 #define GMDS_STATUS_ENUM_(name, text) name,
@@ -49,14 +49,15 @@ const char *gmds_status_text(gmds_status status);
 #if defined __GNUC__
 __attribute__((format(printf, 3, 4)))
 #endif
-gmds_status gmds_fail(gmds_error *error, gmds_status status, const char *format, ...);
+gmds_status
+gmds_fail(gmds_error *error, gmds_status status, const char *format, ...);
 
 /* Returns from the calling function with the status of `call` unless that is GMDS_OK. */
-#define GMDS_TRY(call)                                                                                                 \
-  do {                                                                                                                 \
-    gmds_status gmds_try_ = (call);                                                                                    \
-    if (gmds_try_ != GMDS_OK)                                                                                          \
-      return gmds_try_;                                                                                                \
+#define GMDS_TRY(call)              \
+  do {                              \
+    gmds_status gmds_try_ = (call); \
+    if (gmds_try_ != GMDS_OK)       \
+      return gmds_try_;             \
   } while (0)
 
 #ifdef __cplusplus

@@ -372,8 +372,7 @@ static inline void link_face(mesh *m, gmds_id f, size_t n, const gmds_id *nodes)
   }
 }
 
-static inline gmds_status add_face_linked(mesh *m, size_t n, const gmds_id *nodes, const gmds_links *links,
-                                          gmds_id *id)
+static inline gmds_status add_face_linked(mesh *m, size_t n, const gmds_id *nodes, const gmds_links *links, gmds_id *id)
 {
   if (!allows_sides(n))
     return GMDS_ERR_ARGUMENT;

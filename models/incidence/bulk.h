@@ -8,12 +8,12 @@ static inline gmds_status borrow(mesh *view, int a, int b, gmds_memory *memory)
 {
   gmds_csr *csr = &view->borrowed[a][b];
   gmds_csr_init(csr, memory);
-#define GMDS__BORROW_ROWS(i, j)                                                                                        \
-  if (i == b && j == a)                                                                                                \
+#define GMDS__BORROW_ROWS(i, j) \
+  if (i == b && j == a)         \
     return gmds_invert_rows(&view->r_##i##_##j, view->cells[i].end, view->cells[j].end, csr);
-#define GMDS__BORROW_INLINE(i, j)                                                                                      \
-  if (i == b && j == a)                                                                                                \
-    return gmds_invert_inline(view->r_##i##_##j.data, GMDS__ARITY_##i, &view->cells[i].alive, view->cells[i].end,      \
+#define GMDS__BORROW_INLINE(i, j)                                                                                 \
+  if (i == b && j == a)                                                                                           \
+    return gmds_invert_inline(view->r_##i##_##j.data, GMDS__ARITY_##i, &view->cells[i].alive, view->cells[i].end, \
                               view->cells[j].end, csr);
   GMDS__EACH_POOLED(GMDS__BORROW_ROWS)
   GMDS__EACH_INLINE(GMDS__BORROW_INLINE)

@@ -16,13 +16,13 @@ static inline gmds_status compact(mesh *m, gmds_id *maps[3])
       map[i][c] = gmds_cells_has(&m->cells[i], (gmds_id)c) ? fresh++ : GMDS_NONE;
   }
   if (status == GMDS_OK) {
-#define GMDS__RENUMBER_ROWS(i, j)                                                                                      \
-  if (map[i] || map[j])                                                                                                \
+#define GMDS__RENUMBER_ROWS(i, j) \
+  if (map[i] || map[j])           \
     gmds_rows_renumber(&m->r_##i##_##j, m->cells[i].end, map[i], map[j]);
-#define GMDS__RENUMBER_INLINE(i, j)                                                                                    \
-  if (map[i] || map[j])                                                                                                \
-    gmds_column_renumber(&m->r_##i##_##j, GMDS__ARITY_##i, &m->cells[i].alive, m->cells[i].end, map[i], map[j],        \
-                         GMDS__CODED && i == 2 && j == 2);
+#define GMDS__RENUMBER_INLINE(i, j)                                                                             \
+  if (map[i] || map[j])                                                                                         \
+    gmds_column_renumber(&m->r_##i##_##j, GMDS__ARITY_##i, &m->cells[i].alive, m->cells[i].end, map[i], map[j], \
+                         GMDS__CODED &&i == 2 && j == 2);
     GMDS__EACH_POOLED(GMDS__RENUMBER_ROWS)
     GMDS__EACH_INLINE(GMDS__RENUMBER_INLINE)
 #undef GMDS__RENUMBER_ROWS

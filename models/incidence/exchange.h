@@ -1,6 +1,7 @@
 /* From and to soups, and the checksum of a mesh. */
 
-static inline gmds_status add_soup_face(mesh *m, const gmds_soup *soup, size_t c, const gmds_id *node_of, gmds_ids *list)
+static inline gmds_status add_soup_face(mesh *m, const gmds_soup *soup, size_t c, const gmds_id *node_of,
+                                        gmds_ids *list)
 {
   gmds_id id = 0;
   list->n = 0;
@@ -17,7 +18,8 @@ static inline gmds_status fill_from_soup(mesh *m, const gmds_soup *soup, gmds_id
     double x[3] = {0, 0, 0};
     memcpy(x, soup->points + v * (size_t)soup->dim, (size_t)soup->dim * sizeof *x);
     if (GMDS__DIM == 2 && soup->dim == 3 && x[2] != 0)
-      return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "point %zu has a third coordinate, nodes of this model have two", v);
+      return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "point %zu has a third coordinate, nodes of this model have two",
+                       v);
     GMDS_TRY(add_node(m, x, &node_of[v]));
   }
   for (size_t c = 0; c < soup->n_cells; c++) {

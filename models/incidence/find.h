@@ -4,7 +4,7 @@
 /* Edges know nodes, or nodes edges. */
 #define GMDS__LINKED_EDGES (GMDS__S_0_1 || GMDS__S_1_0)
 /* The faces on a side can be found: through their nodes, or through the edge there. */
-#define GMDS__FINDS_FACES                                                                                              \
+#define GMDS__FINDS_FACES \
   (((GMDS__S_0_2 || GMDS__S_2_0) && GMDS__KNOWS_SIDES) || (GMDS__LINKED_EDGES && (GMDS__S_1_2 || GMDS__S_2_1)))
 /* The edge at a side can be found: by its nodes, or by the faces there. */
 #define GMDS__FINDS_EDGES (GMDS__LINKED_EDGES || (GMDS__FINDS_FACES && (GMDS__S_1_2 || GMDS__S_2_1)))

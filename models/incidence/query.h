@@ -47,13 +47,13 @@ static inline gmds_id face_of(gmds_id entry)
 
 /* ---- hops: from the cells list[first .. last) append those they are linked with */
 
-#define GMDS__SCAN_ROWS(i, j)                                                                                          \
-  m->borrowed[j][i].begin ? gmds_hop_csr(&m->borrowed[j][i], list, first, last)                                        \
+#define GMDS__SCAN_ROWS(i, j)                                                   \
+  m->borrowed[j][i].begin ? gmds_hop_csr(&m->borrowed[j][i], list, first, last) \
                           : gmds_scan_rows(&m->r_##i##_##j, m->cells[i].end, list, first, last)
-#define GMDS__SCAN_INLINE(i, j)                                                                                        \
-  m->borrowed[j][i].begin ? gmds_hop_csr(&m->borrowed[j][i], list, first, last)                                        \
-                          : gmds_scan_inline(m->r_##i##_##j.data, GMDS__ARITY_##i, &m->cells[i].alive,                 \
-                                             m->cells[i].end, list, first, last)
+#define GMDS__SCAN_INLINE(i, j)                             \
+  m->borrowed[j][i].begin                                   \
+      ? gmds_hop_csr(&m->borrowed[j][i], list, first, last) \
+      : gmds_scan_inline(m->r_##i##_##j.data, GMDS__ARITY_##i, &m->cells[i].alive, m->cells[i].end, list, first, last)
 #if GMDS__INLINE
 #  define GMDS__HOP_OF_FACE(j) gmds_hop_inline(m->r_2_##j.data, GMDS__SIDES, list, first, last)
 #  define GMDS__SCAN_FACES(j) GMDS__SCAN_INLINE(2, j)

@@ -269,8 +269,8 @@ static inline gmds_status remove_node(mesh *m, gmds_id v, gmds_around around)
   gmds_ids_clear(&faces);
   gmds_ids_clear(&edges);
   GMDS_TRY(status);
-#define GMDS__RELEASE_OF_NODE(i, j)                                                                                    \
-  if (i == 0)                                                                                                          \
+#define GMDS__RELEASE_OF_NODE(i, j) \
+  if (i == 0)                       \
     gmds_rows_release(&m->r_##i##_##j, v);
 #if GMDS__S_0_0
   size_t n = 0;

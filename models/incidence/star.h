@@ -89,12 +89,12 @@ static inline gmds_status reserve_star(mesh *m, gmds_id apex, size_t n_sides, co
   (void)apex;
   (void)sides;
   (void)n_sides;
-#  define GMDS__RESERVE_STAR(i, j)                                                                                     \
-    if (i == 0) {                                                                                                      \
-      GMDS_TRY(gmds_rows_reserve(&m->r_##i##_##j, &m->memory, apex, m->r_##i##_##j.length[apex] + n_sides));           \
-      for (size_t k = 0; k < n_sides; k++)                                                                             \
-        GMDS_TRY(gmds_rows_reserve(&m->r_##i##_##j, &m->memory, sides[k].a,                                            \
-                                   m->r_##i##_##j.length[sides[k].a] + (size_t)1));                                    \
+#  define GMDS__RESERVE_STAR(i, j)                                                                           \
+    if (i == 0) {                                                                                            \
+      GMDS_TRY(gmds_rows_reserve(&m->r_##i##_##j, &m->memory, apex, m->r_##i##_##j.length[apex] + n_sides)); \
+      for (size_t k = 0; k < n_sides; k++)                                                                   \
+        GMDS_TRY(gmds_rows_reserve(&m->r_##i##_##j, &m->memory, sides[k].a,                                  \
+                                   m->r_##i##_##j.length[sides[k].a] + (size_t)1));                          \
     }
   GMDS__EACH_SET(GMDS__RESERVE_STAR)
 #  undef GMDS__RESERVE_STAR
@@ -108,8 +108,8 @@ static inline gmds_status take_star(mesh *m, size_t n_faces, size_t n_sides, gmd
   gmds_status status = GMDS_OK;
   for (size_t i = n_faces; i < n_sides; i++)
     ids[i] = gmds_cells_take(&m->cells[2]);
-#  define GMDS__RESERVE_NEW(a, b)                                                                                      \
-    for (size_t i = n_faces; i < n_sides && status == GMDS_OK; i++)                                                    \
+#  define GMDS__RESERVE_NEW(a, b)                                   \
+    for (size_t i = n_faces; i < n_sides && status == GMDS_OK; i++) \
       status = gmds_rows_reserve(&m->r_##a##_##b, &m->memory, ids[i], 3);
   GMDS__EACH_ORDERED(GMDS__RESERVE_NEW)
 #  undef GMDS__RESERVE_NEW
@@ -124,9 +124,9 @@ static inline gmds_status take_star(mesh *m, size_t n_faces, size_t n_sides, gmd
   }
 #  endif
   if (status == GMDS_OK) {
-#  define GMDS__FILL_NEW(a, b)                                                                                         \
-    for (size_t i = n_faces; i < n_sides; i++)                                                                         \
-      for (int k = 0; k < 3; k++)                                                                                      \
+#  define GMDS__FILL_NEW(a, b)                 \
+    for (size_t i = n_faces; i < n_sides; i++) \
+      for (int k = 0; k < 3; k++)              \
         gmds_rows_push(&m->r_##a##_##b, ids[i], GMDS_NONE);
     GMDS__EACH_ORDERED(GMDS__FILL_NEW)
 #  undef GMDS__FILL_NEW

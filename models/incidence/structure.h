@@ -46,7 +46,7 @@
 #else
 #  define GMDS__IF_2_2(x)
 #endif
-#define GMDS__EACH_SET(X)                                                                                              \
+#define GMDS__EACH_SET(X) \
   GMDS__IF_0_0(X(0, 0)) GMDS__IF_0_1(X(0, 1)) GMDS__IF_0_2(X(0, 2)) GMDS__IF_1_1(X(1, 1)) GMDS__IF_1_2(X(1, 2))
 #define GMDS__EACH_OF_FACES(X) GMDS__IF_2_0(X(2, 0)) GMDS__IF_2_1(X(2, 1)) GMDS__IF_2_2(X(2, 2))
 #if GMDS__INLINE
@@ -64,10 +64,10 @@
 #define GMDS__INLINE_FIELD(i, j) gmds_column r_##i##_##j;
 
 struct mesh {
-  gmds_memory memory;      /* counts everything that the mesh holds; do not move the structure while it is in use */
-  gmds_cells cells[3];     /* nodes, edges, faces */
-  double *points;          /* GMDS__DIM coordinates a node */
-  size_t points_capacity;  /* in nodes */
+  gmds_memory memory;     /* counts everything that the mesh holds; do not move the structure while it is in use */
+  gmds_cells cells[3];    /* nodes, edges, faces */
+  double *points;         /* GMDS__DIM coordinates a node */
+  size_t points_capacity; /* in nodes */
   GMDS__EACH_POOLED(GMDS__ROWS_FIELD)
   GMDS__EACH_INLINE(GMDS__INLINE_FIELD)
   gmds_ids plan, found;    /* scratch space of operations that change the mesh */
@@ -136,12 +136,12 @@ static inline gmds_status resize_columns(mesh *m, int i, size_t capacity)
     m->points = points;
     m->points_capacity = capacity;
   }
-#define GMDS__RESIZE_ROWS(a, b)                                                                                        \
-  if (i == a)                                                                                                          \
+#define GMDS__RESIZE_ROWS(a, b) \
+  if (i == a)                   \
     GMDS_TRY(gmds_rows_resize(&m->r_##a##_##b, &m->memory, capacity));
-#define GMDS__RESIZE_INLINE(a, b)                                                                                      \
-  if (i == a)                                                                                                          \
-    GMDS_TRY(gmds_column_resize(&m->r_##a##_##b, &m->memory, GMDS__ARITY_##a * capacity));
+#define GMDS__RESIZE_INLINE(a, b) \
+  if (i == a)                     \
+    GMDS_TRY(gmds_column_resize(&m->r_##a##_##b, &m->memory, GMDS__ARITY_##a *capacity));
   GMDS__EACH_POOLED(GMDS__RESIZE_ROWS)
   GMDS__EACH_INLINE(GMDS__RESIZE_INLINE)
 #undef GMDS__RESIZE_ROWS

@@ -4,7 +4,8 @@
 #define OF(name) BODY_CAT(RUN, name)
 
 /* Triangulates, checks every relation, and hands out checksum, counts and triangles (as a soup, may be NULL). */
-static gmds_status OF(run)(size_t n, const double *xy, const gmds_delaunay_options *options, outcome *o, gmds_soup *soup)
+static gmds_status OF(run)(size_t n, const double *xy, const gmds_delaunay_options *options, outcome *o,
+                           gmds_soup *soup)
 {
   OF(mesh) m;
   gmds_error error;

@@ -119,8 +119,8 @@ END_TEST
 
 START_TEST(every_order_of_up_to_six_points_gives_the_same_triangles)
 {
-  static const double sets[][12] = {{0, 0, 1, 0, 1, 1, 0, 1, 2, 0, 2, 1},   /* two squares */
-                                    {0, 0, 1, 0, 2, 0, 3, 0, 1, 5, 1, -5},  /* a row and two apexes */
+  static const double sets[][12] = {{0, 0, 1, 0, 1, 1, 0, 1, 2, 0, 2, 1},    /* two squares */
+                                    {0, 0, 1, 0, 2, 0, 3, 0, 1, 5, 1, -5},   /* a row and two apexes */
                                     {-5, 0, 5, 0, 0, 5, 0, -5, 3, 4, -3, 4}, /* cocircular */
                                     {0, 0, 0, 0, 1, 0, 0, 1, 1, 1, 0.5, 0.5}};
   for (size_t s = 0; s < 4; s++)
@@ -234,9 +234,16 @@ START_TEST(extreme_coordinates_are_exact)
   const double huge[] = {1e300, 1e300, -1e300, 1e300, 1e300, -1e300, -1e300, -1e300, 0, 0, 1e299, 5, 1e-300, 1e-300};
   const double tiny[] = {5e-324, 0, 0, 5e-324, 5e-324, 5e-324, 0, 0, 1e-323, 1e-323, 1.5e-323, 0};
   const double mixed[] = {0, 0, 1e-300, 1e-300, 1, 1, 1e300, 0, 0, 1e300, 1e-10, 1e10, -1e300, -1, 3, -1e-200};
-  const double top[] = {1.7976931348623157e308,  1.7976931348623157e308,  -1.7976931348623157e308, 1.7976931348623157e308,
-                        -1.7976931348623157e308, -1.7976931348623157e308, 1.7976931348623157e308,  -1.7976931348623157e308,
-                        0,                       0};
+  const double top[] = {1.7976931348623157e308,
+                        1.7976931348623157e308,
+                        -1.7976931348623157e308,
+                        1.7976931348623157e308,
+                        -1.7976931348623157e308,
+                        -1.7976931348623157e308,
+                        1.7976931348623157e308,
+                        -1.7976931348623157e308,
+                        0,
+                        0};
   triangulate_everywhere(7, huge);
   triangulate_everywhere(6, tiny);
   triangulate_everywhere(8, mixed);
@@ -357,18 +364,18 @@ START_TEST(every_failing_allocation_leaves_the_mesh_empty)
   gmds_memory_init(&memory, NULL);
   gmds_soup_init(&soup, &memory, 2);
   ck_assert_int_eq(gmds_make_points("random:60:5", 2, NULL, &soup), GMDS_OK);
-#define FAIL_EACH(prefix)                                                                                              \
-  for (long k = 0, done = 0; !done; k++) {                                                                             \
-    failing f = {.until = k};                                                                                          \
-    gmds_allocator allocator = failing_allocator(&f);                                                                  \
-    prefix##_mesh m;                                                                                                   \
-    prefix##_mesh_init(&m, &allocator);                                                                                \
-    gmds_status status = prefix##_delaunay(&m, soup.n_points, soup.points, NULL, NULL);                                \
-    done = status == GMDS_OK;                                                                                          \
-    ck_assert(done || (status == GMDS_ERR_MEMORY && !prefix##_count_0(&m) && !prefix##_count_2(&m)));                  \
-    ck_assert_int_lt(k, 20000);                                                                                        \
-    prefix##_mesh_clear(&m);                                                                                           \
-    ck_assert_uint_eq(f.live, 0);                                                                                      \
+#define FAIL_EACH(prefix)                                                                             \
+  for (long k = 0, done = 0; !done; k++) {                                                            \
+    failing f = {.until = k};                                                                         \
+    gmds_allocator allocator = failing_allocator(&f);                                                 \
+    prefix##_mesh m;                                                                                  \
+    prefix##_mesh_init(&m, &allocator);                                                               \
+    gmds_status status = prefix##_delaunay(&m, soup.n_points, soup.points, NULL, NULL);               \
+    done = status == GMDS_OK;                                                                         \
+    ck_assert(done || (status == GMDS_ERR_MEMORY && !prefix##_count_0(&m) && !prefix##_count_2(&m))); \
+    ck_assert_int_lt(k, 20000);                                                                       \
+    prefix##_mesh_clear(&m);                                                                          \
+    ck_assert_uint_eq(f.live, 0);                                                                     \
   }
   TESTED_MODELS(FAIL_EACH)
 #undef FAIL_EACH
@@ -398,7 +405,8 @@ END_TEST
 RUN_SUITE("delaunay", made_up_points_give_their_delaunay_triangulation,
           every_order_of_up_to_six_points_gives_the_same_triangles,
           few_points_and_points_on_a_line_give_their_dimension_and_chain,
-          equal_points_share_a_node_and_minus_zero_is_zero, a_result_may_be_zero_initialised, a_node_never_has_minus_zero, extreme_coordinates_are_exact,
+          equal_points_share_a_node_and_minus_zero_is_zero, a_result_may_be_zero_initialised,
+          a_node_never_has_minus_zero, extreme_coordinates_are_exact,
           scaling_by_powers_of_two_and_exact_translation_change_nothing,
           nan_and_infinity_are_named_and_leave_the_mesh_empty, a_cancelled_triangulation_leaves_the_mesh_empty,
           a_mesh_that_is_not_empty_is_refused_unchanged, every_failing_allocation_leaves_the_mesh_empty,

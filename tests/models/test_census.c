@@ -246,8 +246,7 @@ START_TEST(advice_names_what_makes_the_query_possible)
 {
   char text[256];
   gmds_path_advice(2, 0, sizeof text, text);
-  ck_assert_str_eq(text,
-                   "add F2N, or F2E with E2N (the inverse of a relation will do, at the cost of a traversal)");
+  ck_assert_str_eq(text, "add F2N, or F2E with E2N (the inverse of a relation will do, at the cost of a traversal)");
   gmds_path_advice(0, 1, sizeof text, text);
   ck_assert_str_eq(text, "add N2E (the inverse of a relation will do, at the cost of a traversal)");
   for (int i = 0; i < 4; i++)
