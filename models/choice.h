@@ -5,7 +5,8 @@
 #ifndef GMDS_MODELS_CHOICE_H
 #define GMDS_MODELS_CHOICE_H
 
-/* clang-format off: the rows are a table */
+/* The rows are a table. */
+/* clang-format off */
 
 #include <gmds/models/tables.h>
 #include <gmds/relations.h>

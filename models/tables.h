@@ -18,7 +18,8 @@
 #ifndef GMDS_MODELS_TABLES_H
 #define GMDS_MODELS_TABLES_H
 
-/* clang-format off: the rows are a table */
+/* The rows are a table. */
+/* clang-format off */
 
 /* The first list is for models that link edges and nodes: an edge that bounds no face is known there alone. */
 #define GMDS_PATHS_0_0_BY_EDGES(P1, P2, P3, P4) P1(1, 0, 0) P2(2, 0, 0, 1, 0, 1)

@@ -3,7 +3,8 @@
 #ifndef GMDS_RELATIONS_H
 #define GMDS_RELATIONS_H
 
-/* clang-format off: the rows are a table */
+/* The rows are a table. */
+/* clang-format off */
 
 #define GMDS_CELL_BIT(i) (1 << (i))
 #define GMDS_RELATION_BIT(i, j) (1 << (4 + 4 * (i) + (j)))
