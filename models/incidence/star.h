@@ -103,14 +103,16 @@ static inline gmds_status reserve_star(mesh *m, gmds_id apex, size_t n_sides, co
 
 /* Takes what the star has more than the cavity, two faces and three edges, with room in their rows. On failure nothing
  * is taken. */
-static inline gmds_status take_star(mesh *m, size_t n_faces, size_t n_sides, gmds_id *ids)
+static inline gmds_status take_star(mesh *m, size_t n_faces, size_t n_sides, gmds_id fresh[2])
 {
   gmds_status status = GMDS_OK;
-  for (size_t i = n_faces; i < n_sides; i++)
-    ids[i] = gmds_cells_take(&m->cells[2]);
-#  define GMDS__RESERVE_NEW(a, b)                                   \
-    for (size_t i = n_faces; i < n_sides && status == GMDS_OK; i++) \
-      status = gmds_rows_reserve(&m->r_##a##_##b, &m->memory, ids[i], 3);
+  (void)n_faces;
+  (void)n_sides;
+  for (int i = 0; i < 2; i++)
+    fresh[i] = gmds_cells_take(&m->cells[2]);
+#  define GMDS__RESERVE_NEW(a, b)                    \
+    for (int i = 0; i < 2 && status == GMDS_OK; i++) \
+      status = gmds_rows_reserve(&m->r_##a##_##b, &m->memory, fresh[i], 3);
   GMDS__EACH_ORDERED(GMDS__RESERVE_NEW)
 #  undef GMDS__RESERVE_NEW
 #  if GMDS__MAKES_EDGES
@@ -124,16 +126,16 @@ static inline gmds_status take_star(mesh *m, size_t n_faces, size_t n_sides, gmd
   }
 #  endif
   if (status == GMDS_OK) {
-#  define GMDS__FILL_NEW(a, b)                 \
-    for (size_t i = n_faces; i < n_sides; i++) \
-      for (int k = 0; k < 3; k++)              \
-        gmds_rows_push(&m->r_##a##_##b, ids[i], GMDS_NONE);
+#  define GMDS__FILL_NEW(a, b)    \
+    for (int i = 0; i < 2; i++)   \
+      for (int k = 0; k < 3; k++) \
+        gmds_rows_push(&m->r_##a##_##b, fresh[i], GMDS_NONE);
     GMDS__EACH_ORDERED(GMDS__FILL_NEW)
 #  undef GMDS__FILL_NEW
     return GMDS_OK;
   }
-  for (size_t i = n_sides; i-- > n_faces;)
-    drop_face(m, ids[i]);
+  for (int i = 2; i-- > 0;)
+    drop_face(m, fresh[i]);
 #  if GMDS__MAKES_EDGES
   for (size_t i = 2 * n_sides; i-- > n_sides + n_faces - 1;)
     drop_edge(m, m->plan.data[i]);
@@ -282,9 +284,12 @@ static inline gmds_status star(mesh *m, gmds_id apex, size_t n_faces, const gmds
   GMDS_TRY(grow(m, 2, 2));
   GMDS_TRY(plan_star(m, n_faces, faces, n_sides, sides));
   GMDS_TRY(reserve_star(m, apex, n_sides, sides));
-  GMDS_TRY(take_star(m, n_faces, n_sides, ids));
+  gmds_id fresh[2];
+  GMDS_TRY(take_star(m, n_faces, n_sides, fresh));
   for (size_t i = 0; i < n_faces; i++)
     ids[i] = faces[i].face;
+  ids[n_faces] = fresh[0];
+  ids[n_faces + 1] = fresh[1];
   forget_cavity(m, n_faces, faces, n_sides, sides);
   for (size_t i = 0; i < n_sides; i++) {
     star_edge(m, apex, i, n_sides, sides, faces, ids);

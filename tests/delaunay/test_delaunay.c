@@ -383,6 +383,48 @@ START_TEST(every_failing_allocation_leaves_the_mesh_empty)
 }
 END_TEST
 
+/* One triangle whose sides have nothing beyond them, and the star of a node in it: with every allocation failing in turn
+ * nothing has changed; then there are three triangles and every relation holds. */
+START_TEST(a_star_that_fails_changes_nothing)
+{
+  static const double xy[4][2] = {{0, 0}, {3, 0}, {0, 3}, {1, 1}};
+  gmds_memory memory;
+  gmds_memory_init(&memory, NULL);
+#define STAR_EACH(prefix)                                                             \
+  for (long k = 0, done = 0; !done; k++) {                                            \
+    failing f = {.until = 1000};                                                      \
+    gmds_allocator allocator = failing_allocator(&f);                                 \
+    gmds_error error = {.text = ""};                                                  \
+    gmds_id v[4], face = 0, ids[3] = {7, 7, 7};                                       \
+    prefix##_mesh m;                                                                  \
+    ck_assert_int_eq(prefix##_mesh_init(&m, &allocator), GMDS_OK);                    \
+    for (int i = 0; i < 4; i++)                                                       \
+      ck_assert_int_eq(prefix##_add_node(&m, xy[i], &v[i]), GMDS_OK);                 \
+    ck_assert_int_eq(prefix##_add_triangle(&m, v[0], v[1], v[2], &face), GMDS_OK);    \
+    ck_assert_int_eq(prefix##_trim(&m), GMDS_OK);                                     \
+    const gmds_cavity_face cavity = {face, {v[0], v[1], v[2]}, 0};                    \
+    gmds_cavity_side sides[3];                                                        \
+    for (unsigned i = 0; i < 3; i++)                                                  \
+      sides[i] = (gmds_cavity_side){v[i], v[(i + 1) % 3], 0, i, GMDS_NONE, 0};        \
+    f.until = k;                                                                      \
+    gmds_status status = prefix##_star(&m, v[3], 1, &cavity, 3, sides, ids);          \
+    done = status == GMDS_OK;                                                         \
+    ck_assert(done || status == GMDS_ERR_MEMORY);                                     \
+    ck_assert(done || (ids[0] == 7 && ids[1] == 7 && ids[2] == 7));                   \
+    ck_assert_uint_eq(prefix##_count_2(&m), done ? 3 : 1);                            \
+    ck_assert(prefix##_count_1(&m) == 0 || prefix##_count_1(&m) == (done ? 6u : 3u)); \
+    ck_assert_msg(prefix##_check(&m, &memory, &error) == GMDS_OK, "%s", error.text);  \
+    ck_assert_int_lt(k, 100);                                                         \
+    f.until = 1000;                                                                   \
+    prefix##_mesh_clear(&m);                                                          \
+    ck_assert_uint_eq(f.live, 0);                                                     \
+  }
+  TESTED_MODELS(STAR_EACH)
+#undef STAR_EACH
+  ck_assert_uint_eq(memory.live, 0);
+}
+END_TEST
+
 START_TEST(too_many_cells_are_refused)
 {
   gmds_memory memory;
@@ -410,4 +452,4 @@ RUN_SUITE("delaunay", made_up_points_give_their_delaunay_triangulation,
           scaling_by_powers_of_two_and_exact_translation_change_nothing,
           nan_and_infinity_are_named_and_leave_the_mesh_empty, a_cancelled_triangulation_leaves_the_mesh_empty,
           a_mesh_that_is_not_empty_is_refused_unchanged, every_failing_allocation_leaves_the_mesh_empty,
-          too_many_cells_are_refused)
+          a_star_that_fails_changes_nothing, too_many_cells_are_refused)
