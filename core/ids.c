@@ -53,6 +53,8 @@ static void sort_ids(gmds_id *data, size_t n)
 void gmds_ids_keep(gmds_ids *list, size_t first, size_t times, gmds_id but)
 {
   size_t kept = first;
+  if (list->n <= first)
+    return; /* an empty list has no data to point into */
   sort_ids(list->data + first, list->n - first);
   for (size_t begin = first, end; begin < list->n; begin = end) {
     gmds_id id = list->data[begin];

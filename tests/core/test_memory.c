@@ -45,6 +45,8 @@ START_TEST(keep_counts_multiplicities)
   gmds_memory_init(&memory, NULL);
   gmds_ids list;
   gmds_ids_init(&list, &memory);
+  gmds_ids_keep(&list, 0, 1, GMDS_NONE); /* nothing was ever in it */
+  ck_assert_uint_eq(list.n, 0);
   for (int round = 0; round < 200; round++) {
     size_t n = random_below(&seed, 120), range = 1 + random_below(&seed, 40), times = 1 + random_below(&seed, 3);
     gmds_id but = (gmds_id)random_below(&seed, range);
