@@ -61,6 +61,15 @@ static int run_convert(const verb *v, int argc, char **argv)
   return status == GMDS_OK ? DONE : failed("%s", error.text);
 }
 
+/* What info and check are given: a file, --json, --dim. Returns -1 to go on, as read_arguments. */
+static int read_file_arguments(const verb *v, int argc, char **argv, const char **path, int *json, int *dim)
+{
+  const char *text = NULL;
+  const option options[] = {{"json", 0, NULL, json, "print one JSON object"}, {"dim", 0, &text, NULL, DIM_HELP}};
+  int code = read_arguments(v, argc, argv, options, 2, path, 1, 1);
+  return code < 0 ? read_dim(v, text, dim) : code;
+}
+
 /* ---- info */
 
 static void bounding_box(const gmds_soup *soup, double low[3], double high[3])
@@ -107,12 +116,9 @@ static void print_info(const gmds_soup *soup, const char *path, int json)
 
 static int run_info(const verb *v, int argc, char **argv)
 {
-  const char *path = NULL, *dim_text = NULL;
+  const char *path = NULL;
   int json = 0, dim = 0;
-  const option options[] = {{"json", 0, NULL, &json, "print one JSON object"}, {"dim", 0, &dim_text, NULL, DIM_HELP}};
-  int code = read_arguments(v, argc, argv, options, 2, &path, 1, 1);
-  if (code < 0)
-    code = read_dim(v, dim_text, &dim);
+  int code = read_file_arguments(v, argc, argv, &path, &json, &dim);
   if (code >= 0)
     return code;
   gmds_error error = {.status = GMDS_OK};
@@ -203,12 +209,9 @@ static gmds_status check_soup(const gmds_soup *soup, full_mesh *m, gmds_error *e
 
 static int run_check(const verb *v, int argc, char **argv)
 {
-  const char *path = NULL, *dim_text = NULL;
+  const char *path = NULL;
   int json = 0, dim = 0;
-  const option options[] = {{"json", 0, NULL, &json, "print one JSON object"}, {"dim", 0, &dim_text, NULL, DIM_HELP}};
-  int code = read_arguments(v, argc, argv, options, 2, &path, 1, 1);
-  if (code < 0)
-    code = read_dim(v, dim_text, &dim);
+  int code = read_file_arguments(v, argc, argv, &path, &json, &dim);
   if (code >= 0)
     return code;
   gmds_error error = {.status = GMDS_OK};
