@@ -43,7 +43,10 @@ _Static_assert(GMDS_ADDS_FACES,
 #  define in_conflict GMDS_FN(in_conflict)
 #  define locate GMDS_FN(locate)
 #  define grow_cavity GMDS_FN(grow_cavity)
-#  define add_to_cavity GMDS_FN(add_to_cavity)
+#  define add_side GMDS_FN(add_side)
+#  define in_conflict_exactly GMDS_FN(in_conflict_exactly)
+#  define pending_side GMDS_FN(pending_side)
+#  define leave GMDS_FN(leave)
 #  define reserve_cavity GMDS_FN(reserve_cavity)
 #  define insert_point GMDS_FN(insert_point)
 #  define place_nodes GMDS_FN(place_nodes)
@@ -63,7 +66,10 @@ _Static_assert(GMDS_ADDS_FACES,
 #  undef in_conflict
 #  undef locate
 #  undef grow_cavity
-#  undef add_to_cavity
+#  undef add_side
+#  undef in_conflict_exactly
+#  undef pending_side
+#  undef leave
 #  undef reserve_cavity
 #  undef insert_point
 #  undef place_nodes

@@ -99,6 +99,45 @@ void gmds_cells_drop(gmds_cells *cells, gmds_id id)
     cells->hole = cells->end;
 }
 
+gmds_id gmds_cells_take_many(gmds_cells *cells, size_t n)
+{
+  size_t first = cells->end;
+  for (size_t id = first; id < first + n; id++)
+    gmds_bits_set(&cells->alive, id);
+  if (cells->hole == first)
+    cells->hole = first + n;
+  cells->end += n;
+  cells->count += n;
+  for (gmds_attribute *a = cells->attributes; a; a = a->next)
+    memset((char *)a->data + first * a->bytes, 0, n * a->bytes);
+  return (gmds_id)first;
+}
+
+void gmds_cells_move(gmds_cells *cells, gmds_id from, gmds_id to)
+{
+  for (gmds_attribute *a = cells->attributes; a; a = a->next)
+    memcpy((char *)a->data + to * a->bytes, (char *)a->data + from * a->bytes, a->bytes);
+  gmds_bits_set(&cells->alive, to);
+  gmds_bits_unset(&cells->alive, from);
+}
+
+void gmds_cells_close(gmds_cells *cells)
+{
+  cells->end = cells->hole = cells->count;
+}
+
+void gmds_cells_plan(const gmds_cells *cells, gmds_id *map)
+{
+  size_t hole = 0;
+  for (size_t c = 0; c < cells->end; c++) {
+    map[c] = gmds_cells_has(cells, (gmds_id)c) ? (gmds_id)c : GMDS_NONE;
+    if (c >= cells->count && map[c] != GMDS_NONE) {
+      hole = gmds_bits_next_unset(&cells->alive, hole, cells->count);
+      map[c] = (gmds_id)hole++;
+    }
+  }
+}
+
 void gmds_cells_renumber(gmds_cells *cells, const gmds_id *map)
 {
   for (gmds_attribute *a = cells->attributes; a; a = a->next)

@@ -77,9 +77,12 @@
  *   GMDS_CAN(i, j)     get_adj_i_j exists
  *   GMDS_STORED(i, j)  it is a stored relation
  *   GMDS_ORDERED_2_0   get_adj_2_0 gives the nodes of a face in their order around it
+ *   GMDS_CONCURRENT_STARS  stars may be made by several threads at once (interface.h)
  *   GMDS_ACROSS        across() gives the face beyond side k of a face, in time that does not grow with the mesh */
 #define GMDS_CAN(i, j) GMDS__CAN_##i##_##j
 #define GMDS_STORED(i, j) GMDS__S_##i##_##j
 #define GMDS_ORDERED_2_0 (GMDS__S_2_0 || (GMDS__S_2_1 && GMDS__S_1_0))
 #define GMDS_ACROSS \
   (GMDS_ORDERED_2_0 && (GMDS__S_2_2 || (GMDS__S_2_1 && GMDS__S_1_2) || GMDS__S_0_2 || (GMDS__S_0_1 && GMDS__S_1_2)))
+#define GMDS_CONCURRENT_STARS \
+  (GMDS__TRIANGLES && GMDS__CODED && !GMDS__K_1 && !GMDS__S_0_0 && !GMDS__S_0_1 && !GMDS__S_0_2)

@@ -18,10 +18,11 @@ static inline gmds_status place_nodes(mesh *m, size_t n, const double *xy, gmds_
   gmds_status status = reserve(m, distinct + 1, 0, 0);
   if (status != GMDS_OK)
     return gmds_fail(error, status, "%zu nodes: %s", distinct, gmds_status_text(status));
+  gmds_id first = 0;
+  GMDS_TRY(add_nodes(m, distinct, NULL, &first));
   for (size_t k = 0; k < distinct; k++) {
-    gmds_id v = 0;
-    const double x[2] = {xy[2 * order[k]] + 0.0, xy[2 * order[k] + 1] + 0.0}; /* -0 becomes +0 */
-    GMDS_TRY(add_node(m, x, &v));
+    const double x[2] = {xy[2 * (size_t)order[k]] + 0.0, xy[2 * (size_t)order[k] + 1] + 0.0}; /* -0 becomes +0 */
+    set_point(m, first + (gmds_id)k, x);
   }
   return GMDS_OK;
 }

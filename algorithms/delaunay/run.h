@@ -13,7 +13,7 @@ static inline gmds_status first_triangle(insertion *in, gmds_id *third)
   *third = turn ? c - 1 : GMDS_NONE;
   if (!turn)
     return GMDS_OK;
-  const double nowhere[2] = {0, 0}; /* the ghost's coordinates are never looked at */
+  const double nowhere[2] = {NAN, NAN}; /* no filter decides anything by the ghost's coordinates */
   GMDS_TRY(reserve(m, n + 1, 3 * n, 2 * n));
   GMDS_TRY(add_node(m, nowhere, &in->ghost));
   const gmds_id v[3] = {turn > 0 ? 0 : 1, turn > 0 ? 1 : 0, *third};
@@ -22,7 +22,11 @@ static inline gmds_status first_triangle(insertion *in, gmds_id *third)
   for (int k = 0; k < 3; k++)
     GMDS_TRY(add_triangle(m, v[(k + 1) % 3], v[k], in->ghost, &g));
   in->last = (gmds_cavity_face){f, {v[0], v[1], v[2]}, 0};
+#if GMDS_CONCURRENT_STARS
+  return take_faces(m, 2 * (n - 3), &in->fresh);
+#else
   return GMDS_OK;
+#endif
 }
 
 static inline gmds_status insert_all(insertion *in, const gmds_delaunay_options *options)
@@ -55,8 +59,7 @@ static inline gmds_status triangulate_nodes(mesh *m, const gmds_delaunay_options
   gmds_release(mesh_memory(m), in.faces, faces, sizeof *in.faces);
   gmds_release(mesh_memory(m), in.sides, sides, sizeof *in.sides);
   gmds_release(mesh_memory(m), in.ids, sides, sizeof *in.ids);
-  gmds_release(mesh_memory(m), in.stack, sides, sizeof *in.stack);
-  gmds_release(mesh_memory(m), in.around, faces, GMDS_ACROSS ? 0 : sizeof *in.around);
+  gmds_release(mesh_memory(m), in.pending, faces, sizeof *in.pending);
   gmds_ids_clear(&in.near);
   gmds_ids_clear(&in.nodes);
   return status;

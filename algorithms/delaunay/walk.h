@@ -1,18 +1,25 @@
 /* Stepping from triangle to triangle, and the walk to a point. */
 
+/* A side of the cavity found so far that is still to be crossed, or to be added to the boundary. */
+typedef struct pending_side {
+  gmds_cavity_face beyond;
+  unsigned in, in_side; /* as in gmds_cavity_side */
+  unsigned inside;      /* whether `beyond` is in the cavity */
+} pending_side;
+
 /* The state of an insertion. Its lists come from the mesh's memory. */
 typedef struct insertion {
   mesh *m;
   gmds_id ghost;
+  gmds_id fresh;           /* the next of the faces taken in advance, in models that can (GMDS_CONCURRENT_STARS) */
   gmds_cavity_face last;   /* a finite triangle near the last point */
   size_t n_faces, n_sides; /* of the cavity */
   size_t capacity;         /* the lists hold as many faces, and two more sides */
   gmds_cavity_face *faces;
   gmds_cavity_side *sides;
   gmds_id *ids;
-  uint64_t *stack;               /* sides to be crossed: 4 * index of the face + side */
-  gmds_cavity_face (*around)[3]; /* models without across(): the triangles beyond the sides of each face */
-  gmds_ids near, nodes;          /* answers of queries */
+  pending_side *pending;
+  gmds_ids near, nodes; /* answers of queries */
 } insertion;
 
 #if GMDS_ACROSS
@@ -28,6 +35,14 @@ static inline gmds_status step_over(insertion *in, const gmds_cavity_face *t, un
   beyond->node[1] = t->node[q];
   beyond->node[2] = face_node(in->m, g, arrival < 1 ? arrival + 2 : arrival - 1);
   return GMDS_OK;
+}
+
+/* The triangles beyond sides 1 and 2 of t, each entered over its side 0. */
+static inline gmds_status leave(insertion *in, const gmds_cavity_face *t, gmds_cavity_face *left,
+                                gmds_cavity_face *right)
+{
+  GMDS_TRY(step_over(in, t, 1, left));
+  return step_over(in, t, 2, right);
 }
 
 #else
@@ -72,6 +87,16 @@ static inline gmds_status step_over(insertion *in, const gmds_cavity_face *t, un
   gmds_cavity_face all[3];
   GMDS_TRY(neighbours(in, t, all));
   *beyond = all[q];
+  return GMDS_OK;
+}
+
+static inline gmds_status leave(insertion *in, const gmds_cavity_face *t, gmds_cavity_face *left,
+                                gmds_cavity_face *right)
+{
+  gmds_cavity_face all[3];
+  GMDS_TRY(neighbours(in, t, all));
+  *left = all[1];
+  *right = all[2];
   return GMDS_OK;
 }
 

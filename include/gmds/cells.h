@@ -62,6 +62,9 @@ size_t gmds_cells_needed(const gmds_cells *cells, size_t more);
 /* Takes an identifier, its attributes 0; room was provided. Constant time without holes, else O(end / 64) at worst. */
 gmds_id gmds_cells_take(gmds_cells *cells);
 
+/* Takes n identifiers from `end` on, without a gap, whatever the holes; room was provided. The first of them. O(n). */
+gmds_id gmds_cells_take_many(gmds_cells *cells, size_t n);
+
 /* Gives an identifier back. */
 void gmds_cells_drop(gmds_cells *cells, gmds_id id);
 
@@ -78,7 +81,17 @@ static inline gmds_id gmds_cells_next(const gmds_cells *cells, gmds_id id)
   return next < cells->end ? (gmds_id)next : GMDS_NONE;
 }
 
-/* Moves the attributes and the liveness to new identifiers: map[old] = new, at most old, in the order of old ones. */
+/* Moves the attributes and the liveness of one cell into a hole. */
+void gmds_cells_move(gmds_cells *cells, gmds_id from, gmds_id to);
+
+/* Sets `end` to the count: after moves that left no hole below it. */
+void gmds_cells_close(gmds_cells *cells);
+
+/* map[c] for every c below `end`: where cell c goes so that there is no hole. Below the count it stays, else it takes the
+ * next hole; GMDS_NONE for holes. */
+void gmds_cells_plan(const gmds_cells *cells, gmds_id *map);
+
+/* Moves the attributes and the liveness to new identifiers: map[old] = new, which is old or a hole below the count. */
 void gmds_cells_renumber(gmds_cells *cells, const gmds_id *map);
 
 /* Adds a column under a name not in use. GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_ARGUMENT (no name, no component or unknown

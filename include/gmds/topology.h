@@ -29,10 +29,10 @@ typedef struct gmds_cavity_face {
 /* A side of the boundary of a cavity, which lies to the left of a -> b. */
 typedef struct gmds_cavity_side {
   gmds_id a, b;
-  unsigned in;       /* the face of the cavity on it: its index among the cavity's faces */
-  unsigned in_side;  /* a is node[in_side] of that face */
   gmds_id out;       /* the face beyond, or GMDS_NONE */
   unsigned out_side; /* the number that the model gives to the side there (GMDS_ORDERED_2_0), else 0 */
+  unsigned in;       /* the face of the cavity on it: its index among the cavity's faces */
+  unsigned in_side;  /* a is node[in_side] of that face */
 } gmds_cavity_side;
 
 #endif

@@ -10,6 +10,19 @@ static inline gmds_status add_node(mesh *m, const double *x, gmds_id *id)
   return GMDS_OK;
 }
 
+static inline gmds_status add_nodes(mesh *m, size_t n, const double *x, gmds_id *first)
+{
+  const gmds_cells *nodes = &m->cells[0];
+  if (n > nodes->limit || nodes->end > nodes->limit - n)
+    return GMDS_ERR_TOO_MANY;
+  if (nodes->end + n > nodes->capacity)
+    GMDS_TRY(resize_columns(m, 0, nodes->end + n));
+  *first = gmds_cells_take_many(&m->cells[0], n);
+  if (n && x)
+    memcpy(m->points + GMDS__DIM * (size_t)*first, x, n * GMDS__DIM * sizeof *x);
+  return GMDS_OK;
+}
+
 /* ---- edges */
 
 #if GMDS__K_1

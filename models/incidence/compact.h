@@ -1,4 +1,35 @@
-/* Closing the holes that deletions left. */
+/* Closing the holes that deletions left: the cells with the largest identifiers move into them. */
+
+/* Where faces are inline and know the cells that know them, a face moves by itself: the cost is that of the holes. */
+#define GMDS__MOVES_FACES \
+  (GMDS__INLINE && (!GMDS__S_0_2 || GMDS__S_2_0) && (!GMDS__S_1_2 || GMDS__S_2_1) && (!GMDS__S_2_2 || GMDS__CODED))
+
+#if GMDS__MOVES_FACES
+static inline void move_face(mesh *m, gmds_id from, gmds_id to)
+{
+#  define GMDS__MOVE_ROW(i, j)                                                                               \
+    memcpy(m->r_##i##_##j.data + GMDS__SIDES * (size_t)to, m->r_##i##_##j.data + GMDS__SIDES * (size_t)from, \
+           GMDS__SIDES * sizeof(gmds_id));
+  GMDS__EACH_OF_FACES(GMDS__MOVE_ROW)
+#  undef GMDS__MOVE_ROW
+  for (gmds_id k = 0; k < GMDS__SIDES; k++) {
+    size_t n = 0;
+    (void)n;
+#  if GMDS__S_0_2
+    gmds_rows_replace(&m->r_0_2, row_2_0(m, to, &n)[k], from, to);
+#  endif
+#  if GMDS__S_1_2
+    gmds_rows_replace(&m->r_1_2, row_2_1(m, to, &n)[k], from, to);
+#  endif
+#  if GMDS__S_2_2
+    gmds_id entry = row_2_2(m, to, &n)[k];
+    if (entry != GMDS_NONE)
+      row_2_2(m, entry >> 2, &n)[entry & 3] = 4 * to + k;
+#  endif
+  }
+  gmds_cells_move(&m->cells[2], from, to);
+}
+#endif
 
 static inline gmds_status compact(mesh *m, gmds_id *maps[3])
 {
@@ -6,15 +37,17 @@ static inline gmds_status compact(mesh *m, gmds_id *maps[3])
   gmds_status status = GMDS_OK;
   for (int i = 0; i < 3 && status == GMDS_OK; i++) {
     void *block = NULL;
-    if (m->cells[i].count == m->cells[i].end)
+    if (m->cells[i].count == m->cells[i].end || (GMDS__MOVES_FACES && i == 2))
       continue; /* no hole: identifiers stay */
     if (!gmds_resize(&m->memory, &block, 0, m->cells[i].end, sizeof *map[i]))
       status = GMDS_ERR_MEMORY;
     map[i] = block;
-    gmds_id fresh = 0;
-    for (size_t c = 0; map[i] && c < m->cells[i].end; c++)
-      map[i][c] = gmds_cells_has(&m->cells[i], (gmds_id)c) ? fresh++ : GMDS_NONE;
+    if (map[i])
+      gmds_cells_plan(&m->cells[i], map[i]);
   }
+  for (int i = 0; i < 3 && status == GMDS_OK; i++)
+    if (maps && maps[i])
+      gmds_cells_plan(&m->cells[i], maps[i]);
   if (status == GMDS_OK) {
 #define GMDS__RENUMBER_ROWS(i, j) \
   if (map[i] || map[j])           \
@@ -27,17 +60,23 @@ static inline gmds_status compact(mesh *m, gmds_id *maps[3])
     GMDS__EACH_INLINE(GMDS__RENUMBER_INLINE)
 #undef GMDS__RENUMBER_ROWS
 #undef GMDS__RENUMBER_INLINE
-    for (gmds_id v = next_0(m, 0); map[0] && v != GMDS_NONE; v = next_0(m, v + 1))
-      if (map[0][v] != v)
-        memcpy(m->points + GMDS__DIM * (size_t)map[0][v], point(m, v), GMDS__DIM * sizeof *m->points);
+    for (gmds_id v = map[0] ? next_0(m, (gmds_id)m->cells[0].count) : GMDS_NONE; v != GMDS_NONE; v = next_0(m, v + 1))
+      memcpy(m->points + GMDS__DIM * (size_t)map[0][v], point(m, v), GMDS__DIM * sizeof *m->points);
   }
   for (int i = 0; i < 3; i++) {
     size_t end = m->cells[i].end;
-    for (size_t c = 0; status == GMDS_OK && maps && maps[i] && c < end; c++)
-      maps[i][c] = map[i] ? map[i][c] : (gmds_id)c;
     if (status == GMDS_OK && map[i])
       gmds_cells_renumber(&m->cells[i], map[i]);
     gmds_release(&m->memory, map[i], map[i] ? end : 0, sizeof *map[i]);
   }
+#if GMDS__MOVES_FACES
+  gmds_id to = 0;
+  for (gmds_id f = next_2(m, (gmds_id)count_2(m)); status == GMDS_OK && f != GMDS_NONE; f = next_2(m, f + 1)) {
+    to = (gmds_id)gmds_bits_next_unset(&m->cells[2].alive, to, f);
+    move_face(m, f, to);
+  }
+  if (status == GMDS_OK)
+    gmds_cells_close(&m->cells[2]);
+#endif
   return status;
 }

@@ -26,9 +26,10 @@ static inline gmds_status reserve(mesh *m, size_t nodes, size_t edges, size_t fa
  * O(mesh). */
 static inline gmds_status trim(mesh *m);
 
-/* Renumbers the cells so that there is no hole, in the order they have. maps[i], if not NULL, receives the new identifier
- * of each old i-cell, GMDS_NONE for holes; it has room for end_i of them. maps may be NULL. Invalidates
- * every identifier. GMDS_OK or GMDS_ERR_MEMORY. O(mesh), constant when there is no hole. */
+/* Closes the holes: cells numbered below the count keep their identifiers, the others move into the holes in the order
+ * they have. maps[i], if not NULL, receives the new identifier of each old i-cell, GMDS_NONE for holes; it has room for
+ * end_i of them. maps may be NULL. GMDS_OK or GMDS_ERR_MEMORY. Constant when there is no hole, O(holes) for holes among
+ * faces of one type where N2F comes with F2N, E2F with F2E and F2F with F2N, else O(mesh). */
 static inline gmds_status compact(mesh *m, gmds_id *maps[3]);
 
 /* ---- cells: how many are alive; whether one is; the first from `id` on, or GMDS_NONE.
@@ -177,6 +178,10 @@ static inline gmds_status all_adj_2_2(const mesh *m, gmds_csr *csr);
  * A node with the model's 2 or 3 coordinates. GMDS_OK, GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY. */
 static inline gmds_status add_node(mesh *m, const double *x, gmds_id *id);
 
+/* n nodes at once, numbered from *first on without a gap. x: n × 2 or 3 coordinates, row major, or NULL: they are to be
+ * set (set_point). Statuses as above. O(n). */
+static inline gmds_status add_nodes(mesh *m, size_t n, const double *x, gmds_id *first);
+
 /* The edge between two nodes, found or made. Also GMDS_ERR_ARGUMENT (a == b). O(edges at a) with N2E, else O(edges).
  * In models that link edges and nodes (E2N or N2E). */
 #if GMDS__K_1 && (GMDS__S_0_1 || GMDS__S_1_0)
@@ -236,6 +241,23 @@ static inline gmds_id across(const mesh *m, gmds_id f, unsigned k, unsigned *arr
 #if GMDS__TRIANGLES && GMDS__CAN_2_0 && !GMDS__S_1_1
 static inline gmds_status star(mesh *m, gmds_id apex, size_t n_faces, const gmds_cavity_face *faces, size_t n_sides,
                                const gmds_cavity_side *sides, gmds_id *ids);
+#endif
+
+/* The same by several threads at once, in models in which a star writes nothing but the rows of its faces and the
+ * entries that name them in the faces beyond its sides (GMDS_CONCURRENT_STARS: triangles with F2N and F2F,
+ * no other relation and no edges). Calls may run at the same time when their cavities and apexes differ, no face is in one
+ * cavity and beyond a side of another, and no other call changes the mesh; queries of faces that no star touches may run
+ * beside them.
+ *
+ * take_faces: n faces, numbered from *first on without a gap, alive and without rows: until each has become part of a star,
+ * or was given back, queries and traversals must not meet it. GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY. O(n).
+ * drop_faces: gives back faces [first, first + n), of which no row was written.
+ * star_of: as star, where ids[n_faces] and ids[n_faces + 1] are such faces; nothing is checked, nothing fails. */
+#if GMDS_CONCURRENT_STARS
+static inline gmds_status take_faces(mesh *m, size_t n, gmds_id *first);
+static inline void drop_faces(mesh *m, gmds_id first, size_t n);
+static inline void star_of(mesh *m, gmds_id apex, size_t n_faces, const gmds_cavity_face *faces, size_t n_sides,
+                           const gmds_cavity_side *sides, gmds_id *ids);
 #endif
 
 /* ---- the whole mesh

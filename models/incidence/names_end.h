@@ -51,6 +51,7 @@
 #undef faces_at_side
 #undef edge_of_faces
 #undef add_node
+#undef add_nodes
 #undef reserve_edge
 #undef link_edge
 #undef drop_edge
@@ -87,6 +88,11 @@
 #undef star_face
 #undef relink_outside
 #undef star
+#undef move_face
+#undef take_faces
+#undef drop_faces
+#undef write_star
+#undef star_of
 #undef borrow
 #undef fill_csr
 #undef all_adj
@@ -116,6 +122,7 @@
 #undef GMDS__IF_2_0
 #undef GMDS__IF_2_1
 #undef GMDS__IF_2_2
+#undef GMDS__MOVES_FACES
 #undef GMDS__EACH_SET
 #undef GMDS__EACH_OF_FACES
 #undef GMDS__EACH_INLINE

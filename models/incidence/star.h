@@ -276,6 +276,20 @@ static inline void relink_outside(mesh *m, size_t i, const gmds_cavity_side *s, 
 }
 #  endif
 
+/* Writes the star; ids begins with the faces of the cavity and ends with two that were taken. */
+static inline void write_star(mesh *m, gmds_id apex, size_t n_faces, const gmds_cavity_face *faces, size_t n_sides,
+                              const gmds_cavity_side *sides, const gmds_id *ids)
+{
+  forget_cavity(m, n_faces, faces, n_sides, sides);
+  for (size_t i = 0; i < n_sides; i++) {
+    star_edge(m, apex, i, n_sides, sides, faces, ids);
+    star_face(m, apex, i, n_sides, sides, ids);
+#  if GMDS__S_2_2
+    relink_outside(m, i, &sides[i], ids[i]);
+#  endif
+  }
+}
+
 static inline gmds_status star(mesh *m, gmds_id apex, size_t n_faces, const gmds_cavity_face *faces, size_t n_sides,
                                const gmds_cavity_side *sides, gmds_id *ids)
 {
@@ -290,14 +304,34 @@ static inline gmds_status star(mesh *m, gmds_id apex, size_t n_faces, const gmds
     ids[i] = faces[i].face;
   ids[n_faces] = fresh[0];
   ids[n_faces + 1] = fresh[1];
-  forget_cavity(m, n_faces, faces, n_sides, sides);
-  for (size_t i = 0; i < n_sides; i++) {
-    star_edge(m, apex, i, n_sides, sides, faces, ids);
-    star_face(m, apex, i, n_sides, sides, ids);
-#  if GMDS__S_2_2
-    relink_outside(m, i, &sides[i], ids[i]);
-#  endif
-  }
+  write_star(m, apex, n_faces, faces, n_sides, sides, ids);
   return GMDS_OK;
 }
+
+#  if GMDS_CONCURRENT_STARS
+static inline gmds_status take_faces(mesh *m, size_t n, gmds_id *first)
+{
+  size_t end = m->cells[2].end;
+  if (n > m->cells[2].limit || end > m->cells[2].limit - n)
+    return GMDS_ERR_TOO_MANY;
+  if (end + n > m->cells[2].capacity)
+    GMDS_TRY(resize_columns(m, 2, end + n));
+  *first = gmds_cells_take_many(&m->cells[2], n);
+  return GMDS_OK;
+}
+
+static inline void drop_faces(mesh *m, gmds_id first, size_t n)
+{
+  for (size_t k = n; k-- > 0;)
+    gmds_cells_drop(&m->cells[2], first + (gmds_id)k);
+}
+
+static inline void star_of(mesh *m, gmds_id apex, size_t n_faces, const gmds_cavity_face *faces, size_t n_sides,
+                           const gmds_cavity_side *sides, gmds_id *ids)
+{
+  for (size_t i = 0; i < n_faces; i++)
+    ids[i] = faces[i].face;
+  write_star(m, apex, n_faces, faces, n_sides, sides, ids);
+}
+#  endif
 #endif

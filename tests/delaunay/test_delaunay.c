@@ -405,7 +405,7 @@ START_TEST(a_star_that_fails_changes_nothing)
     const gmds_cavity_face cavity = {face, {v[0], v[1], v[2]}, 0};                    \
     gmds_cavity_side sides[3];                                                        \
     for (unsigned i = 0; i < 3; i++)                                                  \
-      sides[i] = (gmds_cavity_side){v[i], v[(i + 1) % 3], 0, i, GMDS_NONE, 0};        \
+      sides[i] = (gmds_cavity_side){v[i], v[(i + 1) % 3], GMDS_NONE, 0, 0, i};        \
     f.until = k;                                                                      \
     gmds_status status = prefix##_star(&m, v[3], 1, &cavity, 3, sides, ids);          \
     done = status == GMDS_OK;                                                         \
