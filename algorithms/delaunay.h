@@ -26,6 +26,7 @@
 #include <gmds/delaunay.h>
 #include <gmds/order.h>
 #include <gmds/predicates.h>
+#include <gmds/threads.h>
 
 _Static_assert(GMDS__DIM == 2, "gmds: delaunay() triangulates the plane: take DIM3 out of GMDS_MODEL");
 _Static_assert(GMDS__TRIANGLES, "gmds: delaunay() makes triangles: add TRIANGLE to GMDS_FACES");
@@ -48,7 +49,29 @@ _Static_assert(GMDS_ADDS_FACES,
 #  define pending_side GMDS_FN(pending_side)
 #  define leave GMDS_FN(leave)
 #  define reserve_cavity GMDS_FN(reserve_cavity)
+#  define insert_alone GMDS_FN(insert_alone)
 #  define insert_point GMDS_FN(insert_point)
+#  define face_range GMDS_FN(face_range)
+#  define owns GMDS_FN(owns)
+#  define defer GMDS_FN(defer)
+#  define is_deferred GMDS_FN(is_deferred)
+#  define take_fresh GMDS_FN(take_fresh)
+#  define concurrent GMDS_FN(concurrent)
+#  define strip_of GMDS_FN(strip_of)
+#  define count_part GMDS_FN(count_part)
+#  define deal_part GMDS_FN(deal_part)
+#  define sort_sample GMDS_FN(sort_sample)
+#  define cut_strips GMDS_FN(cut_strips)
+#  define find_start GMDS_FN(find_start)
+#  define insert_strip GMDS_FN(insert_strip)
+#  define set_up_threads GMDS_FN(set_up_threads)
+#  define insert_strips GMDS_FN(insert_strips)
+#  define insert_by_threads GMDS_FN(insert_by_threads)
+#  define first_part GMDS_FN(first_part)
+#  define clear_insertion GMDS_FN(clear_insertion)
+#  define threads_for GMDS_FN(threads_for)
+#  define placing GMDS_FN(placing)
+#  define place_part GMDS_FN(place_part)
 #  define place_nodes GMDS_FN(place_nodes)
 #  define number_nodes GMDS_FN(number_nodes)
 #  define first_triangle GMDS_FN(first_triangle)
@@ -59,7 +82,10 @@ _Static_assert(GMDS_ADDS_FACES,
 #  include <gmds/algorithms/delaunay/walk.h>
 #  include <gmds/algorithms/delaunay/cavity.h>
 #  include <gmds/algorithms/delaunay/points.h>
+#  include <gmds/algorithms/delaunay/parallel.h>
 #  include <gmds/algorithms/delaunay/run.h>
+#  undef GMDS__ALONE
+#  undef GMDS__SHARED
 #  undef insertion
 #  undef neighbours
 #  undef step_over
@@ -71,7 +97,29 @@ _Static_assert(GMDS_ADDS_FACES,
 #  undef pending_side
 #  undef leave
 #  undef reserve_cavity
+#  undef insert_alone
 #  undef insert_point
+#  undef face_range
+#  undef owns
+#  undef defer
+#  undef is_deferred
+#  undef take_fresh
+#  undef concurrent
+#  undef strip_of
+#  undef count_part
+#  undef deal_part
+#  undef sort_sample
+#  undef cut_strips
+#  undef find_start
+#  undef insert_strip
+#  undef set_up_threads
+#  undef insert_strips
+#  undef insert_by_threads
+#  undef first_part
+#  undef clear_insertion
+#  undef threads_for
+#  undef placing
+#  undef place_part
 #  undef place_nodes
 #  undef number_nodes
 #  undef first_triangle

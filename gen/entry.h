@@ -4,7 +4,8 @@
 
 static gmds_status GMDS_FN(measure)(const model_task *task, mesh *m, gmds_delaunay_result *result, model_report *report)
 {
-  const gmds_delaunay_options options = {task->progress, task->user, task->error};
+  const gmds_delaunay_options options = {
+      .progress = task->progress, .user = task->user, .threads = task->threads, .error = task->error};
   double begin = task->now();
   GMDS_TRY(GMDS_FN(delaunay)(m, task->n, task->xy, &options, result));
   report->seconds = task->now() - begin;

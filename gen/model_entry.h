@@ -10,6 +10,7 @@ typedef struct model_task {
   int verify;       /* also verify every stored relation */
   gmds_soup *soup;  /* receives nodes and triangles, if not NULL */
   double (*now)(void);
+  int threads; /* 0 counts as 1 */
   int (*progress)(void *user, size_t done, size_t total);
   void *user;
   gmds_error *error;

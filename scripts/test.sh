@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Sets up, builds, and runs every test; then the quick ones again under the address and undefined-behaviour sanitizers.
+# Sets up, builds, and runs every test; then the quick ones again under the address and undefined-behaviour sanitizers, and
+# those of several threads under the thread sanitizer.
 #     scripts/test.sh [ARGUMENTS OF CTEST]      for instance: scripts/test.sh -R delaunay
 # GMDS_WERROR=ON makes warnings errors; GMDS_DATA_DIR names a folder of real meshes and point sets.
 set -euo pipefail
@@ -22,3 +23,8 @@ say "the quick tests once more, under sanitizers"
 cmake --preset asan "${options[@]}" -DGMDS_BUILD_TOOLS=OFF
 cmake --build build-asan -j "$jobs"
 ctest --test-dir build-asan -j "$jobs" --output-on-failure -LE '^(slow|install|compile)$' "$@"
+
+say "the tests of several threads once more, under the thread sanitizer"
+cmake --preset tsan "${options[@]}" -DGMDS_BUILD_TOOLS=OFF
+cmake --build build-tsan -j "$jobs" --target threads_tests
+ctest --test-dir build-tsan -j "$jobs" --output-on-failure -L '^threads$' "$@"

@@ -40,7 +40,7 @@ static int run(const verb *v, int argc, char **argv)
       {"output", 'o', &output, NULL, "FILE  where the mesh goes: .off .vtk .mesh, or .svg for a picture"},
       {"dim", 0, &dim, NULL, "2  dimension (this version: the plane)"},
       {"model", 0, &model, NULL, "MASK  mesh model (default N|F|F2N|F2F)"},
-      {"threads", 0, &threads, NULL, "T  threads at most (this version uses one)"},
+      {"threads", 0, &threads, NULL, "T  threads at most (default 1; more where the model allows: N|F|F2N|F2F)"},
       {"json", 0, NULL, &json, "print one JSON object"}};
   int code = read_arguments(v, argc, argv, options, 5, &input, 1, 1);
   if (code >= 0)
@@ -52,6 +52,7 @@ static int run(const verb *v, int argc, char **argv)
     return failed("--dim 3: this version triangulates the plane only");
   if (!read_number(threads, 1, 4096, &number))
     return misused(v, "--threads is a number from 1, not '%s'", threads);
+  const int n_threads = (int)number;
   gmds_error error = {.status = GMDS_OK};
   const model_entry *entry = find_model(model, &error);
   if (!entry)
@@ -72,6 +73,7 @@ static int run(const verb *v, int argc, char **argv)
                              .xy = points.points,
                              .soup = output ? &triangles : NULL,
                              .now = now,
+                             .threads = n_threads,
                              .progress = show_progress,
                              .user = &state,
                              .error = &error};

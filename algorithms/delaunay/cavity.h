@@ -64,7 +64,7 @@ static inline void add_side(insertion *in, size_t c, unsigned q, const gmds_cavi
 
 /* Gathers the cavity of p from a triangle in it, depth first: the sides of its boundary are met in order around it. Both
  * sides by which a triangle is left are tested at once. */
-static inline gmds_status grow_cavity(insertion *in, const double p[2], const gmds_cavity_face *root)
+GMDS_SPECIALISED gmds_status grow_cavity(insertion *in, const double p[2], int sharing, const gmds_cavity_face *root)
 {
   size_t depth = 0, faces = 0;
   gmds_cavity_face t = *root, left, right;
@@ -74,6 +74,10 @@ static inline gmds_status grow_cavity(insertion *in, const double p[2], const gm
   in->n_sides = 0;
   for (;;) {
     size_t c = faces++;
+    if (sharing == GMDS__SHARED && (faces == in->capacity || !owns(in, t.node[2]))) {
+      defer(in);
+      return GMDS_OK;
+    }
     GMDS_TRY(reserve_cavity(in, faces + 1));
     in->faces[c] = t;
     GMDS_TRY(leave(in, &t, &left, &right));
@@ -101,23 +105,40 @@ static inline gmds_status grow_cavity(insertion *in, const double p[2], const gm
   return GMDS_OK;
 }
 
-static inline gmds_status insert_point(insertion *in, gmds_id v)
+#if GMDS_CONCURRENT_STARS
+static inline gmds_id take_fresh(insertion *in)
+{
+  if (in->fresh.first == in->fresh.end)
+    in->fresh = *in->more++;
+  return in->fresh.first++;
+}
+#endif
+
+GMDS_SPECIALISED gmds_status insert_point(insertion *in, gmds_id v, int sharing)
 {
   gmds_cavity_face root;
   const double *p = point(in->m, v);
-  GMDS_TRY(locate(in, p, &root));
-  GMDS_TRY(grow_cavity(in, p, &root));
+  GMDS_TRY(locate(in, p, sharing, &root));
+  if (sharing == GMDS__SHARED && is_deferred(in))
+    return GMDS_OK;
+  GMDS_TRY(grow_cavity(in, p, sharing, &root));
+  if (sharing == GMDS__SHARED && is_deferred(in))
+    return GMDS_OK;
 #if GMDS_CONCURRENT_STARS
-  in->ids[in->n_faces] = in->fresh++;
-  in->ids[in->n_faces + 1] = in->fresh++;
+  in->ids[in->n_faces] = take_fresh(in);
+  in->ids[in->n_faces + 1] = take_fresh(in);
   star_of(in->m, v, in->n_faces, in->faces, in->n_sides, in->sides, in->ids);
 #else
   GMDS_TRY(star(in->m, v, in->n_faces, in->faces, in->n_sides, in->sides, in->ids));
 #endif
-  size_t i =
-      in->n_sides - 1; /* of two sides that follow each other, one at least has no ghost, or the one before has none */
+  size_t i = in->n_sides - 1; /* of two sides in a row one at least has no ghost, or the one before them has none */
   while (in->sides[i].a == in->ghost || in->sides[i].b == in->ghost)
     i--;
   in->last = (gmds_cavity_face){in->ids[i], {in->sides[i].a, in->sides[i].b, v}, 0};
   return GMDS_OK;
+}
+
+static inline gmds_status insert_alone(insertion *in, gmds_id v)
+{
+  return insert_point(in, v, GMDS__ALONE);
 }

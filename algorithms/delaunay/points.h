@@ -1,7 +1,26 @@
 /* From points to nodes: order, duplicates, the map from one to the other, and what is left when all lie on a line. */
 
+typedef struct placing {
+  mesh *m;
+  unsigned threads;
+  size_t n;
+  const double *xy;
+  const gmds_id *order;
+} placing;
+
+static inline void place_part(void *work, unsigned t)
+{
+  const placing *p = work;
+  size_t end = GMDS_SHARE(p->n, t + 1, p->threads);
+  for (size_t k = GMDS_SHARE(p->n, t, p->threads); k < end; k++) {
+    const double *from = p->xy + 2 * (size_t)p->order[k];
+    const double x[2] = {from[0] + 0.0, from[1] + 0.0}; /* -0 becomes +0 */
+    set_point(p->m, (gmds_id)k, x);
+  }
+}
+
 /* Fills an empty mesh with the distinct points as nodes in insertion order, and result->node_of. */
-static inline gmds_status place_nodes(mesh *m, size_t n, const double *xy, gmds_error *error,
+static inline gmds_status place_nodes(mesh *m, unsigned threads, size_t n, const double *xy, gmds_error *error,
                                       gmds_delaunay_result *result, gmds_id *order)
 {
   void *same = NULL;
@@ -12,18 +31,17 @@ static inline gmds_status place_nodes(mesh *m, size_t n, const double *xy, gmds_
     result->node_of = same;
     result->points = n;
   }
-  GMDS_TRY(gmds_order_points(mesh_memory(m), 2, n, xy, error, order, same, &distinct));
+  GMDS_TRY(gmds_order_points(mesh_memory(m), threads, 2, n, xy, error, order, same, &distinct));
   if (result)
     result->distinct = distinct;
+  gmds_id first = 0;
   gmds_status status = reserve(m, distinct + 1, 0, 0);
+  if (status == GMDS_OK)
+    status = add_nodes(m, distinct, NULL, &first);
   if (status != GMDS_OK)
     return gmds_fail(error, status, "%zu nodes: %s", distinct, gmds_status_text(status));
-  gmds_id first = 0;
-  GMDS_TRY(add_nodes(m, distinct, NULL, &first));
-  for (size_t k = 0; k < distinct; k++) {
-    const double x[2] = {xy[2 * (size_t)order[k]] + 0.0, xy[2 * (size_t)order[k] + 1] + 0.0}; /* -0 becomes +0 */
-    set_point(m, first + (gmds_id)k, x);
-  }
+  placing all = {m, threads, distinct, xy, order};
+  gmds_share(threads, place_part, &all);
   return GMDS_OK;
 }
 

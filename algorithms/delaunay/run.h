@@ -23,45 +23,85 @@ static inline gmds_status first_triangle(insertion *in, gmds_id *third)
     GMDS_TRY(add_triangle(m, v[(k + 1) % 3], v[k], in->ghost, &g));
   in->last = (gmds_cavity_face){f, {v[0], v[1], v[2]}, 0};
 #if GMDS_CONCURRENT_STARS
-  return take_faces(m, 2 * (n - 3), &in->fresh);
+  size_t faces = 2 * (n - 3);
+  GMDS_TRY(take_faces(m, faces, &in->fresh.first));
+  in->fresh.end = in->fresh.first + (gmds_id)faces;
+  return GMDS_OK;
 #else
   return GMDS_OK;
 #endif
 }
 
-static inline gmds_status insert_all(insertion *in, const gmds_delaunay_options *options)
+/* How many of n points go in before the threads begin: a few rounds of the order, at least as many as make the faces
+ * that belong to several threads few. */
+static inline size_t first_part(size_t n)
+{
+  return n < 1 << 19 ? n / 8 : n / 64;
+}
+
+static inline gmds_status insert_all(insertion *in, unsigned threads, const gmds_delaunay_options *options)
 {
   enum { EVERY = 4096 };
-  size_t n = count_0(in->m);
+  size_t n = count_0(in->m), alone = n;
   gmds_id third = GMDS_NONE;
   if (n < 3)
     return GMDS_OK;
   GMDS_TRY(first_triangle(in, &third));
   if (third == GMDS_NONE)
     return GMDS_OK;
-  for (gmds_id v = 2; v < n; v++) {
+  if (threads > 1)
+    alone = first_part(n);
+  for (gmds_id v = 2; v < alone; v++) {
     if (v % EVERY == 0 && options && options->progress && options->progress(options->user, v, n))
       return GMDS_ERR_CANCELLED;
     if (v != third)
-      GMDS_TRY(insert_point(in, v));
+      GMDS_TRY(insert_alone(in, v));
   }
+#if GMDS_CONCURRENT_STARS
+  if (alone < n)
+    GMDS_TRY(insert_by_threads(threads, in, (gmds_id)alone, third, options));
+#endif
   return remove_node(in->m, in->ghost, GMDS_CASCADE);
+}
+
+static inline void clear_insertion(insertion *in)
+{
+  gmds_memory *memory = mesh_memory(in->m);
+  size_t faces = in->capacity, sides = faces ? faces + 2 : 0;
+  gmds_release(memory, in->faces, faces, sizeof *in->faces);
+  gmds_release(memory, in->sides, sides, sizeof *in->sides);
+  gmds_release(memory, in->ids, sides, sizeof *in->ids);
+  gmds_release(memory, in->pending, faces, sizeof *in->pending);
+  gmds_ids_clear(&in->near);
+  gmds_ids_clear(&in->nodes);
+}
+
+/* How many threads work on n points: as many as the options ask for, where the model lets several and each has enough to
+ * do. */
+static inline unsigned threads_for(size_t n, const gmds_delaunay_options *options)
+{
+  size_t threads = GMDS_CONCURRENT_STARS && options && options->threads > 1 ? (size_t)options->threads : 1;
+  size_t most = n / 4096 < GMDS_MAX_THREADS ? n / 4096 : GMDS_MAX_THREADS;
+  return (unsigned)(threads <= most ? threads : most > 1 ? most : 1);
 }
 
 /* Triangulates the nodes of a mesh that has no faces. */
 static inline gmds_status triangulate_nodes(mesh *m, const gmds_delaunay_options *options)
 {
-  insertion in = {.m = m, .ghost = GMDS_NONE};
-  gmds_ids_init(&in.near, mesh_memory(m));
-  gmds_ids_init(&in.nodes, mesh_memory(m));
-  gmds_status status = insert_all(&in, options);
-  size_t faces = in.capacity, sides = faces ? faces + 2 : 0;
-  gmds_release(mesh_memory(m), in.faces, faces, sizeof *in.faces);
-  gmds_release(mesh_memory(m), in.sides, sides, sizeof *in.sides);
-  gmds_release(mesh_memory(m), in.ids, sides, sizeof *in.ids);
-  gmds_release(mesh_memory(m), in.pending, faces, sizeof *in.pending);
-  gmds_ids_clear(&in.near);
-  gmds_ids_clear(&in.nodes);
+  unsigned threads = threads_for(count_0(m), options);
+  void *block = NULL;
+  if (!gmds_resize(mesh_memory(m), &block, 0, threads, sizeof(insertion)))
+    return GMDS_ERR_MEMORY;
+  insertion *in = block;
+  for (unsigned t = 0; t < threads; t++) {
+    in[t] = (insertion){.m = m, .ghost = GMDS_NONE};
+    gmds_ids_init(&in[t].near, mesh_memory(m));
+    gmds_ids_init(&in[t].nodes, mesh_memory(m));
+  }
+  gmds_status status = insert_all(in, threads, options);
+  for (unsigned t = 0; t < threads; t++)
+    clear_insertion(&in[t]);
+  gmds_release(mesh_memory(m), block, threads, sizeof(insertion));
   return status;
 }
 
@@ -81,7 +121,7 @@ static inline gmds_status delaunay(mesh *m, size_t n, const double *xy, const gm
     return gmds_fail(error, status, "%s", gmds_status_text(status));
   if (n && !gmds_resize(mesh_memory(m), &order, 0, n, sizeof(gmds_id)))
     return gmds_fail(error, GMDS_ERR_MEMORY, "out of memory for the order of %zu points", n);
-  status = place_nodes(m, n, xy, error, result, order);
+  status = place_nodes(m, threads_for(n, options), n, xy, error, result, order);
   if (status == GMDS_OK && result && number_nodes(m, order, result) != GMDS_OK)
     status = gmds_fail(error, GMDS_ERR_MEMORY, "out of memory for the nodes of %zu points", n);
   gmds_release(mesh_memory(m), order, order ? n : 0, sizeof(gmds_id));

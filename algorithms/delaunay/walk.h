@@ -7,11 +7,16 @@ typedef struct pending_side {
   unsigned inside;      /* whether `beyond` is in the cavity */
 } pending_side;
 
+#if GMDS_CONCURRENT_STARS
+typedef struct face_range {
+  gmds_id first, end;
+} face_range;
+#endif
+
 /* The state of an insertion. Its lists come from the mesh's memory. */
 typedef struct insertion {
   mesh *m;
   gmds_id ghost;
-  gmds_id fresh;           /* the next of the faces taken in advance, in models that can (GMDS_CONCURRENT_STARS) */
   gmds_cavity_face last;   /* a finite triangle near the last point */
   size_t n_faces, n_sides; /* of the cavity */
   size_t capacity;         /* the lists hold as many faces, and two more sides */
@@ -20,7 +25,53 @@ typedef struct insertion {
   gmds_id *ids;
   pending_side *pending;
   gmds_ids near, nodes; /* answers of queries */
+#if GMDS_CONCURRENT_STARS
+  face_range fresh; /* faces taken in advance, and where there are more */
+  const face_range *more;
+  int axis; /* the nodes of this thread have their coordinate number `axis` from low to below high */
+  double low, high;
+  int deferred;    /* the point in hand cannot be inserted by this thread alone */
+  char apart[128]; /* what one thread writes shares no cache line with what another does */
+#endif
 } insertion;
+
+/* What follows is compiled twice: for an insertion that has the mesh to itself, and for one of several threads, each of
+ * which goes from face to face only where all nodes are its own (parallel.h). */
+#define GMDS__ALONE 0
+#define GMDS__SHARED 1
+
+/* Whether a node is this thread's. The ghost, whose coordinates are not numbers, is everyone's. */
+static inline int owns(const insertion *in, gmds_id v)
+{
+#if GMDS_CONCURRENT_STARS
+  double x = point(in->m, v)[in->axis];
+  return !(x < in->low) & !(x >= in->high);
+#else
+  (void)in;
+  (void)v;
+  return 1;
+#endif
+}
+
+/* Puts the point in hand off until all threads are done. */
+static inline void defer(insertion *in)
+{
+#if GMDS_CONCURRENT_STARS
+  in->deferred = 1;
+#else
+  (void)in;
+#endif
+}
+
+static inline int is_deferred(const insertion *in)
+{
+#if GMDS_CONCURRENT_STARS
+  return in->deferred;
+#else
+  (void)in;
+  return 0;
+#endif
+}
 
 #if GMDS_ACROSS
 
@@ -105,7 +156,7 @@ static inline gmds_status leave(insertion *in, const gmds_cavity_face *t, gmds_c
 /* Walks from the last triangle to one whose circle holds p: the finite triangle that p lies in or on, or the infinite
  * one beyond a side of the hull that p lies outside of. A visibility walk: in a Delaunay triangulation it never meets
  * a triangle twice (Edelsbrunner 1990). */
-static inline gmds_status locate(insertion *in, const double p[2], gmds_cavity_face *found)
+GMDS_SPECIALISED gmds_status locate(insertion *in, const double p[2], int sharing, gmds_cavity_face *found)
 {
   const mesh *m = in->m;
   gmds_cavity_face t = in->last;
@@ -120,6 +171,10 @@ static inline gmds_status locate(insertion *in, const double p[2], gmds_cavity_f
     t = next;
     if (t.node[2] == in->ghost)
       break;
+    if (sharing == GMDS__SHARED && !owns(in, t.node[2])) {
+      defer(in);
+      break;
+    }
     q = 1; /* p lies on this side of side 0 */
   }
   *found = t;

@@ -11,6 +11,7 @@ extern "C" {
 
 /* Orders n points for insertion.
  *   memory     where temporary arrays come from: 16 bytes a point (32 where gmds_id has 64 bits), all freed again
+ *   threads    how many may work; it does not change the result. 0 counts as 1
  *   dim        2 or 3
  *   n, xy      n × dim coordinates, row major, all finite
  *   order      n entries: the indices of the distinct points in insertion order; of equal points (-0 equals +0) the
@@ -21,10 +22,10 @@ extern "C" {
  * GMDS_ERR_TOO_MANY (n does not fit gmds_id); GMDS_ERR_ARGUMENT (dim). On failure nothing is written.
  * The order depends on the coordinates and their positions alone. O(n) for spread points; points of one cell of the
  * grid that the curve runs through are ordered again within their own box, which for the worst inputs, coordinates of
- * all magnitudes, repeats the work some 130 (in 3D 220) times. Uses 30 kB of
- * stack, 55 with 64-bit identifiers, and for such inputs up to 50 more. */
-gmds_status gmds_order_points(gmds_memory *memory, int dim, size_t n, const double *xy, gmds_error *error,
-                              gmds_id *order, gmds_id *same_as, size_t *distinct);
+ * all magnitudes, repeats the work some 130 (in 3D 220) times. Uses up to
+ * 100 kB of stack, and with several threads 40 kB each of `memory`. */
+gmds_status gmds_order_points(gmds_memory *memory, unsigned threads, int dim, size_t n, const double *xy,
+                              gmds_error *error, gmds_id *order, gmds_id *same_as, size_t *distinct);
 
 #ifdef __cplusplus
 }

@@ -88,7 +88,7 @@ static result ordered(int dim, size_t n, const double *xy)
   gmds_memory memory;
   gmds_memory_init(&memory, NULL);
   result r = result_new(n);
-  ck_assert_int_eq(gmds_order_points(&memory, dim, n, xy, NULL, r.order, r.same_as, &r.distinct), GMDS_OK);
+  ck_assert_int_eq(gmds_order_points(&memory, 1, dim, n, xy, NULL, r.order, r.same_as, &r.distinct), GMDS_OK);
   ck_assert_uint_eq(memory.live, 0);
   ck_assert_uint_le(memory.peak, 4 * sizeof(double) * n);
 #if GMDS_ID_BITS == 32
@@ -170,7 +170,7 @@ START_TEST(same_as_may_be_left_out)
   result a = ordered(2, 500, xy), b = result_new(500);
   gmds_memory memory;
   gmds_memory_init(&memory, NULL);
-  ck_assert_int_eq(gmds_order_points(&memory, 2, 500, xy, NULL, b.order, NULL, &b.distinct), GMDS_OK);
+  ck_assert_int_eq(gmds_order_points(&memory, 1, 2, 500, xy, NULL, b.order, NULL, &b.distinct), GMDS_OK);
   ck_assert_uint_eq(a.distinct, b.distinct);
   ck_assert_mem_eq(a.order, b.order, a.distinct * sizeof *a.order);
   result_free(a);
@@ -185,7 +185,7 @@ static void check_refused(gmds_memory *memory, int dim, size_t n, const double *
 {
   size_t room = n > 100000 ? 0 : n;
   result r = result_new(room), before = result_new(room);
-  gmds_status status = gmds_order_points(memory, dim, n, xy, error, r.order, r.same_as, &r.distinct);
+  gmds_status status = gmds_order_points(memory, 1, dim, n, xy, error, r.order, r.same_as, &r.distinct);
   ck_assert_int_eq(status, expected);
   ck_assert_mem_eq(r.order, before.order, (room + 1) * sizeof *r.order);
   ck_assert_mem_eq(r.same_as, before.same_as, (room + 1) * sizeof *r.same_as);
@@ -240,7 +240,7 @@ START_TEST(failing_allocations_leave_the_outputs_untouched)
     gmds_memory memory;
     gmds_memory_init(&memory, &allocator);
     result r = result_new(3000);
-    gmds_status status = gmds_order_points(&memory, 2, 3000, xy, NULL, r.order, r.same_as, &r.distinct);
+    gmds_status status = gmds_order_points(&memory, 1, 2, 3000, xy, NULL, r.order, r.same_as, &r.distinct);
     result_free(r);
     ck_assert_uint_eq(f.live, 0);
     if (status == GMDS_OK) {
@@ -408,8 +408,48 @@ START_TEST(equal_points_of_real_sets_are_found)
 }
 END_TEST
 
-RUN_SUITE("order", each_distinct_point_comes_once_and_the_lowest_index_stands_for_equal_ones,
-          zeros_of_both_signs_are_equal, same_as_may_be_left_out, the_first_point_that_is_not_finite_is_named,
+/* Any number of threads gives the order of one: spread points, a grid, equal points, all in one place, mixed scales. */
+START_TEST(threads_do_not_change_the_order)
+{
+  enum { MANY = 300000 };
+  double *xy = malloc(3 * MANY * sizeof *xy);
+  uint64_t seed = 77;
+  ck_assert(xy != NULL);
+  for (int dim = 2; dim <= 3; dim++)
+    for (int kind = 0; kind < 5; kind++) {
+      size_t n = (size_t)MANY * (size_t)dim;
+      for (size_t i = 0; i < n; i++) {
+        double x = random_unit(&seed);
+        xy[i] = kind == 0   ? x
+                : kind == 1 ? (double)(int)(500 * x)
+                : kind == 2 ? (double)(int)(20 * x)
+                : kind == 3 ? 1.5
+                            : ldexp(x, (int)random_below(&seed, 200) - 100);
+      }
+      gmds_memory memory;
+      gmds_memory_init(&memory, NULL);
+      result one = result_new(MANY);
+      ck_assert_int_eq(gmds_order_points(&memory, 1, dim, MANY, xy, NULL, one.order, one.same_as, &one.distinct),
+                       GMDS_OK);
+      for (unsigned threads = 2; threads < 12; threads += 3) {
+        result r = result_new(MANY);
+        ck_assert_int_eq(gmds_order_points(&memory, threads, dim, MANY, xy, NULL, r.order, r.same_as, &r.distinct),
+                         GMDS_OK);
+        ck_assert_uint_eq(r.distinct, one.distinct);
+        ck_assert(memcmp(r.order, one.order, r.distinct * sizeof *r.order) == 0);
+        ck_assert(memcmp(r.same_as, one.same_as, MANY * sizeof *r.same_as) == 0);
+        result_free(r);
+      }
+      result_free(one);
+      ck_assert_uint_eq(memory.live, 0);
+    }
+  free(xy);
+}
+END_TEST
+
+RUN_SUITE("order", threads_do_not_change_the_order,
+          each_distinct_point_comes_once_and_the_lowest_index_stands_for_equal_ones, zeros_of_both_signs_are_equal,
+          same_as_may_be_left_out, the_first_point_that_is_not_finite_is_named,
           a_wrong_dimension_and_too_many_points_are_refused, failing_allocations_leave_the_outputs_untouched,
           the_order_does_not_depend_on_a_power_of_two, the_path_through_spread_points_is_short,
           the_path_through_clusters_is_short, early_rounds_cover_the_whole_set,

@@ -350,7 +350,7 @@ START_TEST(a_cancelled_triangulation_leaves_the_mesh_empty)
     subject_begin(&one, m, 1);
     size_t calls = 0;
     gmds_error error = {0};
-    const gmds_delaunay_options options = {stop, &calls, &error};
+    const gmds_delaunay_options options = {.progress = stop, .user = &calls, .error = &error};
     ck_assert_int_eq(m->algorithms->do_delaunay(one.mesh, MANY, xy, &options, NULL), GMDS_ERR_CANCELLED);
     ck_assert_int_eq(error.status, GMDS_ERR_CANCELLED);
     is_empty_with_its_attributes(&one);

@@ -1,0 +1,247 @@
+/* Insertion by several threads, in models with GMDS_CONCURRENT_STARS.
+ *
+ * A first part of the points, a sample of all, goes in as ever. Then the plane is cut into strips, one a thread, and each
+ * thread inserts the points of its strip, going from face to face only where all nodes are its own, and puts off those
+ * points for which that is not enough. Nothing is locked, and nothing needs to be:
+ *   - a star removes and makes only faces of which all nodes are one thread's, and names the new ones in faces beyond sides
+ *     of which both nodes are that thread's: no two threads write the same entry;
+ *   - a thread reads the neighbours of faces that are its own, and the nodes of faces that share two nodes with such a
+ *     face: these are its own too or have nodes of several threads, and then nobody writes them.
+ * The ghost counts as everyone's node. What was put off is cut into strips across, and the little that is left goes in by
+ * one thread. The triangulation is unique, so that it does not depend on any of this; the numbering of faces depends on
+ * the number of threads alone. */
+#if GMDS_CONCURRENT_STARS
+
+#  define GMDS__SAMPLE 1024
+
+/* The work of all threads. */
+typedef struct concurrent {
+  unsigned threads;
+  insertion *in;                /* one a thread */
+  double cut[GMDS_MAX_THREADS]; /* strip t is from cut[t - 1] to below cut[t] */
+  int axis;
+  size_t n;                           /* points still to be inserted */
+  gmds_id *todo, *dealt;              /* these points, and the same by strips */
+  size_t (*count)[GMDS_MAX_THREADS];  /* [t][s]: how many of part t of todo are in strip s, then where they go */
+  size_t begin[GMDS_MAX_THREADS + 1]; /* where the points of each strip begin in `dealt` */
+  size_t kept[GMDS_MAX_THREADS];      /* how many of them were put off */
+  int starts[GMDS_MAX_THREADS];       /* whether the thread has a face to begin from */
+  gmds_status status[GMDS_MAX_THREADS];
+  const gmds_delaunay_options *options;
+  size_t sampled;      /* faces below this number had rows before any thread began */
+  _Atomic int stopped; /* by the caller, or a failure */
+} concurrent;
+
+static inline unsigned strip_of(const concurrent *c, gmds_id v)
+{
+  double x = point(c->in->m, v)[c->axis];
+  unsigned strip = 0;
+  for (unsigned t = 0; t + 1 < c->threads; t++)
+    strip += x >= c->cut[t];
+  return strip;
+}
+
+static inline void count_part(void *work, unsigned t)
+{
+  concurrent *c = work;
+  size_t end = GMDS_SHARE(c->n, t + 1, c->threads);
+  for (size_t i = GMDS_SHARE(c->n, t, c->threads); i < end; i++)
+    c->count[t][strip_of(c, c->todo[i])]++;
+}
+
+static inline void deal_part(void *work, unsigned t)
+{
+  concurrent *c = work;
+  size_t end = GMDS_SHARE(c->n, t + 1, c->threads);
+  for (size_t i = GMDS_SHARE(c->n, t, c->threads); i < end; i++)
+    c->dealt[c->count[t][strip_of(c, c->todo[i])]++] = c->todo[i];
+}
+
+/* Shell's sort: for a sample that is enough. */
+static inline void sort_sample(size_t n, double *x)
+{
+  for (size_t gap = n / 2; gap > 0; gap /= 2)
+    for (size_t i = gap; i < n; i++) {
+      double value = x[i];
+      size_t k = i;
+      for (; k >= gap && x[k - gap] > value; k -= gap)
+        x[k] = x[k - gap];
+      x[k] = value;
+    }
+}
+
+/* Cuts the plane so that the strips hold like numbers of a sample of the points, and deals the points. */
+static inline void cut_strips(concurrent *c, int axis)
+{
+  double sample[GMDS__SAMPLE];
+  size_t n = c->n < GMDS__SAMPLE ? c->n : GMDS__SAMPLE;
+  c->axis = axis;
+  for (size_t i = 0; i < n; i++)
+    sample[i] = point(c->in->m, c->todo[i * (c->n / n)])[axis];
+  sort_sample(n, sample);
+  for (unsigned t = 0; t < c->threads; t++) {
+    c->cut[t] = t + 1 < c->threads ? sample[n * (t + 1) / c->threads] : HUGE_VAL;
+    memset(c->count[t], 0, sizeof c->count[t]);
+  }
+  gmds_share(c->threads, count_part, c);
+  size_t sum = 0;
+  for (unsigned s = 0; s < c->threads; s++) {
+    c->begin[s] = sum;
+    for (unsigned t = 0; t < c->threads; t++) {
+      size_t here = c->count[t][s];
+      c->count[t][s] = sum;
+      sum += here;
+    }
+  }
+  c->begin[c->threads] = sum;
+  gmds_share(c->threads, deal_part, c);
+}
+
+/* Gives thread t its strip, and a finite face of which all nodes are its own, from which its first walk begins. The value
+ * is whether there is one. */
+static inline int find_start(concurrent *c, unsigned t)
+{
+  insertion *in = &c->in[t];
+  in->axis = c->axis;
+  in->low = t > 0 ? c->cut[t - 1] : -HUGE_VAL;
+  in->high = t + 1 < c->threads ? c->cut[t] : HUGE_VAL;
+  for (gmds_id f = 0; f < c->sampled; f++) {
+    gmds_id v[3];
+    triangle_nodes(in->m, f, v);
+    if (v[0] != in->ghost && v[1] != in->ghost && v[2] != in->ghost && owns(in, v[0]) && owns(in, v[1]) &&
+        owns(in, v[2])) {
+      in->last = (gmds_cavity_face){f, {v[0], v[1], v[2]}, 0};
+      return 1;
+    }
+  }
+  return 0;
+}
+
+/* Inserts the points of strip t; those put off gather at its beginning. */
+static inline void insert_strip(void *work, unsigned t)
+{
+  enum { EVERY = 4096 };
+  concurrent *c = work;
+  insertion *in = &c->in[t];
+  gmds_id *todo = c->dealt + c->begin[t];
+  size_t n = c->starts[t] ? c->begin[t + 1] - c->begin[t] : 0, kept = 0, total = count_0(in->m) - 1;
+  const gmds_delaunay_options *o = c->options;
+  for (size_t i = 0; i < n; i++) {
+    if (i % EVERY == 0) {
+      if (t == 0 && o && o->progress && o->progress(o->user, total - c->n + i * c->threads, total)) {
+        c->status[t] = GMDS_ERR_CANCELLED;
+        c->stopped = 1;
+      }
+      if (c->stopped)
+        return;
+    }
+    in->deferred = 0;
+    gmds_status status = insert_point(in, todo[i], GMDS__SHARED);
+    if (status != GMDS_OK) {
+      c->status[t] = status;
+      c->stopped = 1;
+      return;
+    }
+    if (in->deferred)
+      todo[kept++] = todo[i];
+  }
+  if (c->starts[t])
+    c->kept[t] = kept;
+}
+
+/* Sets all threads up. The ranges of faces are dealt out in pieces, two faces a point; an empty piece ends a thread's. */
+static inline void set_up_threads(concurrent *c, size_t n_ranges, const face_range *ranges, face_range *piece)
+{
+  size_t r = 0, used = 0;
+  gmds_id first = n_ranges ? ranges[0].first : 0;
+  for (unsigned t = 0; t < c->threads; t++) {
+    size_t need = 2 * (c->begin[t + 1] - c->begin[t]);
+    c->status[t] = GMDS_OK;
+    c->starts[t] = find_start(c, t);
+    c->kept[t] = c->begin[t + 1] - c->begin[t];
+    c->in[t].fresh = (face_range){0, 0};
+    c->in[t].more = piece + used;
+    while (need) {
+      while (first == ranges[r].end)
+        first = ranges[++r].first;
+      size_t here = (size_t)(ranges[r].end - first) < need ? (size_t)(ranges[r].end - first) : need;
+      piece[used++] = (face_range){first, first + (gmds_id)here};
+      first += (gmds_id)here;
+      need -= here;
+    }
+    piece[used++] = (face_range){0, 0};
+  }
+}
+
+/* One round of all threads over the points todo[0 .. n). Those put off are todo[0 .. n) then, and the faces left over
+ * are ranges[0 .. *n_ranges). */
+static inline gmds_status insert_strips(concurrent *c, int axis, size_t *n_ranges, face_range *ranges,
+                                        face_range *piece)
+{
+  cut_strips(c, axis);
+  set_up_threads(c, *n_ranges, ranges, piece);
+  gmds_share(c->threads, insert_strip, c);
+  size_t n = 0, r = 0;
+  for (unsigned t = 0; t < c->threads; t++) {
+    GMDS_TRY(c->status[t]);
+    memmove(c->todo + n, c->dealt + c->begin[t], c->kept[t] * sizeof *c->todo);
+    n += c->kept[t];
+    const insertion *in = &c->in[t];
+    if (in->fresh.first < in->fresh.end)
+      ranges[r++] = in->fresh;
+    for (const face_range *more = in->more; more->first < more->end; more++)
+      ranges[r++] = *more;
+  }
+  if (c->stopped)
+    return GMDS_ERR_CANCELLED;
+  c->n = n;
+  *n_ranges = r;
+  return GMDS_OK;
+}
+
+/* Inserts nodes first, first + 1, ... but `third` into the triangulation of those before, which in[0] made; in[1], ... are
+ * empty. */
+static inline gmds_status insert_by_threads(unsigned threads, insertion *in, gmds_id first, gmds_id third,
+                                            const gmds_delaunay_options *options)
+{
+  mesh *m = in->m;
+  gmds_memory *memory = mesh_memory(m);
+  size_t end = in->ghost, room = end - first, n_ranges = 1;
+  void *todo = NULL, *dealt = NULL, *count = NULL;
+  face_range ranges[4 * GMDS_MAX_THREADS], pieces[6 * GMDS_MAX_THREADS];
+  concurrent c = {.threads = threads, .in = in, .options = options, .sampled = in->fresh.first};
+  gmds_status status = GMDS_ERR_MEMORY;
+  if (gmds_resize(memory, &todo, 0, room, sizeof *c.todo) && gmds_resize(memory, &dealt, 0, room, sizeof *c.dealt) &&
+      gmds_resize(memory, &count, 0, threads, sizeof *c.count)) {
+    c.todo = todo;
+    c.dealt = dealt;
+    c.count = count;
+    for (gmds_id v = first; v < end; v++)
+      if (v != third)
+        c.todo[c.n++] = v;
+    status = GMDS_OK;
+    for (unsigned t = 0; t < threads && status == GMDS_OK; t++) {
+      in[t].m = m;
+      in[t].ghost = in->ghost;
+      status = reserve_cavity(&in[t], 256);
+    }
+    ranges[0] = in->fresh;
+    for (int axis = 0; axis < 2 && c.n > 0 && status == GMDS_OK; axis++)
+      status = insert_strips(&c, axis, &n_ranges, ranges, pieces);
+    ranges[n_ranges] = (face_range){0, 0};
+    in->fresh = (face_range){0, 0};
+    in->more = ranges;
+    c.threads = 1;
+    if (status == GMDS_OK && c.n > 0 && !find_start(&c, 0))
+      status = GMDS_ERR_INVARIANT;
+    for (size_t i = 0; i < c.n && status == GMDS_OK; i++)
+      status = insert_alone(in, c.todo[i]);
+  }
+  gmds_release(memory, todo, todo ? room : 0, sizeof *c.todo);
+  gmds_release(memory, dealt, dealt ? room : 0, sizeof *c.dealt);
+  gmds_release(memory, count, count ? threads : 0, sizeof *c.count);
+  return status;
+}
+
+#  undef GMDS__SAMPLE
+#endif
