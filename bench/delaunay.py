@@ -5,8 +5,10 @@ that all give the same triangles.
 
     bench/delaunay.py [--build DIR] [--peers DIR] [--runs N] SPEC ...
 
-SPEC: random:N:SEED, grid:N, circle:N, clusters:N:SEED, or a file of points (may be .xz)."""
+SPEC: random:N:SEED, grid:N, circle:N, clusters:N:SEED, or a text file of points, of which the first two
+coordinates are taken (may be .xz)."""
 import argparse
+import array
 import json
 import lzma
 import os
@@ -20,13 +22,15 @@ def shared_points(spec, gmds, folder):
     """The name under which every program finds the points: made-up ones by recipe, others as a file of raw doubles."""
     if spec.split(":")[0] in ("random", "grid"):
         return spec
-    path = spec
-    if spec.endswith(".xz"):
-        path = os.path.join(folder, os.path.basename(spec)[:-3])
-        with lzma.open(spec) as packed, open(path, "wb") as plain:
-            plain.write(packed.read())
     raw = os.path.join(folder, "points.f64")
-    subprocess.run([gmds, "convert", path, raw], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    if spec.split(":")[0] in ("circle", "clusters"):
+        subprocess.run([gmds, "convert", spec, raw], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        return raw
+    with (lzma.open if spec.endswith(".xz") else open)(spec, "rt") as text, open(raw, "wb") as out:
+        for line in text:
+            numbers = line.split("#")[0].replace(",", " ").split()
+            if numbers:
+                array.array("d", map(float, numbers[:2])).tofile(out)
     return raw
 
 

@@ -206,13 +206,12 @@ static gmds_status triangulate(triangulation *t, size_t n, const double *xy)
   void *order = NULL, *point = NULL, *node = NULL, *neighbour = NULL;
   gmds_memory *memory = &t->memory;
   GMDS_TRY(gmds_predicates_check());
-  if (!gmds_resize(memory, &order, 0, n, sizeof(gmds_id)))
+  if (!gmds_resize(memory, &order, 0, n, sizeof(gmds_id)) || !gmds_resize(memory, &point, 0, n + 1, 2 * sizeof(double)))
     return GMDS_ERR_MEMORY;
   const gmds_id *at = order;
-  GMDS_TRY(gmds_order_points(memory, 1, 2, n, xy, NULL, order, NULL, &t->nodes));
-  if (!gmds_resize(memory, &point, 0, t->nodes + 1, 2 * sizeof(double)))
-    return GMDS_ERR_MEMORY;
   t->point = point;
+  void *scratch = gmds_order_scratch(n) <= 2 * sizeof(double) * n ? point : NULL;
+  GMDS_TRY(gmds_order_points(memory, scratch, 1, 2, n, xy, NULL, order, NULL, &t->nodes));
   for (size_t k = 0; k < t->nodes; k++) {
     t->point[2 * k] = xy[2 * (size_t)at[k]] + 0.0;
     t->point[2 * k + 1] = xy[2 * (size_t)at[k] + 1] + 0.0;
@@ -243,7 +242,7 @@ static gmds_status triangulate(triangulation *t, size_t n, const double *xy)
     if (v != third && !insert(t, v))
       return GMDS_ERR_MEMORY;
   remove_ghost(t);
-  (void)gmds_resize(memory, &point, t->nodes + 1, t->nodes, 2 * sizeof(double));
+  (void)gmds_resize(memory, &point, n + 1, t->nodes, 2 * sizeof(double));
   (void)gmds_resize(memory, &node, t->room, t->triangles, 3 * sizeof(gmds_id));
   (void)gmds_resize(memory, &neighbour, t->room, t->triangles, 3 * sizeof(gmds_id));
   t->point = point;

@@ -1,39 +1,16 @@
 /* Counted memory. */
-#define _DEFAULT_SOURCE /* madvise */
 #include <gmds/memory.h>
 #include <stdint.h>
 #include <stdlib.h>
-#if defined __linux__
-#  include <sys/mman.h>
-#endif
-
-enum { HUGE_PAGE = 2 << 20, LARGE = 2 * HUGE_PAGE };
-
-/* Asks for huge pages under a large block: its first touch costs a fault a page, some 0.5 to 2 microseconds each, which at
- * 4 KiB a page is a tenth of the time of building a large mesh. Advice: nothing depends on it. */
-static void advise(void *block, size_t bytes)
-{
-#if defined __linux__ && defined MADV_HUGEPAGE
-  size_t skip = (HUGE_PAGE - (uintptr_t)block % HUGE_PAGE) % HUGE_PAGE;
-  if (bytes >= LARGE)
-    (void)madvise((char *)block + skip, (bytes - skip) / HUGE_PAGE * HUGE_PAGE, MADV_HUGEPAGE);
-#else
-  (void)block;
-  (void)bytes;
-#endif
-}
 
 static void *system_resize(void *user, void *block, size_t old_bytes, size_t new_bytes)
 {
   (void)user;
-  void *moved = NULL;
-  if (!new_bytes)
-    free(block);
-  else
-    moved = realloc(block, new_bytes);
-  if (moved && new_bytes > old_bytes)
-    advise(moved, new_bytes);
-  return moved;
+  (void)old_bytes;
+  if (new_bytes)
+    return realloc(block, new_bytes);
+  free(block);
+  return NULL;
 }
 
 void gmds_memory_init(gmds_memory *memory, const gmds_allocator *allocator)

@@ -155,17 +155,16 @@ static void order_by_keys(sorter *s, size_t n, item *items, item *scratch)
   }
 }
 
-/* How many rounds before the last a point is inserted, by its place among the distinct points (splitmix64's mixing). */
+/* How many rounds before the last a point is inserted, by its place among the distinct points (splitmix64's mixing): one
+ * for each factor of the ratio in a random number. */
 static unsigned rounds_before_last(uint64_t place, unsigned last)
 {
   uint64_t z = (place + 1) * 0x9e3779b97f4a7c15u;
   z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
   z = (z ^ z >> 27) * 0x94d049bb133111ebu;
   z ^= z >> 31;
-  unsigned before = 0;
-  for (; before < last && z % ROUND_RATIO == 0; z >>= ROUND_BITS)
-    before++;
-  return before;
+  unsigned before = (unsigned)__builtin_ctzll(z | UINT64_C(1) << 63) / ROUND_BITS;
+  return before < last ? before : last;
 }
 
 /* ---- the work of several threads: each has a part of the points, then an interval of the curve */
@@ -406,7 +405,12 @@ static void order_all(ordering *o)
   }
 }
 
-gmds_status gmds_order_points(gmds_memory *memory, unsigned threads, int dim, size_t n, const double *xy,
+size_t gmds_order_scratch(size_t n)
+{
+  return n > SIZE_MAX / (2 * sizeof(item)) ? SIZE_MAX : 2 * n * sizeof(item);
+}
+
+gmds_status gmds_order_points(gmds_memory *memory, void *scratch, unsigned threads, int dim, size_t n, const double *xy,
                               gmds_error *error, gmds_id *order, gmds_id *same_as, size_t *distinct)
 {
   enum { WORTH = 1 << 15 }; /* points a thread */
@@ -426,11 +430,11 @@ gmds_status gmds_order_points(gmds_memory *memory, unsigned threads, int dim, si
     o.parts = parts ? parts : &alone;
     gmds_share(threads, bound_part, &o);
     status = check_finite(&o, error);
-    if (status == GMDS_OK && (n > SIZE_MAX / 2 || !gmds_resize(memory, &block, 0, 2 * n, sizeof(item))))
+    if (status == GMDS_OK && !scratch && !gmds_resize(memory, &block, 0, 1, gmds_order_scratch(n)))
       status = GMDS_ERR_MEMORY;
   }
   if (status == GMDS_OK) {
-    o.items = block;
+    o.items = scratch ? scratch : block;
     o.scratch = n ? o.items + n : NULL;
     *distinct = 0;
     if (n)
@@ -444,7 +448,7 @@ gmds_status gmds_order_points(gmds_memory *memory, unsigned threads, int dim, si
     gmds_share(threads, deal_rounds, &o);
   } else if (status == GMDS_ERR_MEMORY)
     (void)gmds_fail(error, status, "out of memory: ordering %zu points takes %zu bytes a point", n, 2 * sizeof(item));
-  gmds_release(memory, block, block ? 2 * n : 0, sizeof(item));
+  gmds_release(memory, block, block != NULL, gmds_order_scratch(n));
   gmds_release(memory, parts, parts ? threads : 0, sizeof(part));
   return status;
 }

@@ -11,11 +11,12 @@ typedef struct placing {
 static inline void place_part(void *work, unsigned t)
 {
   const placing *p = work;
+  double *x = coordinates(p->m);
   size_t end = GMDS_SHARE(p->n, t + 1, p->threads);
   for (size_t k = GMDS_SHARE(p->n, t, p->threads); k < end; k++) {
     const double *from = p->xy + 2 * (size_t)p->order[k];
-    const double x[2] = {from[0] + 0.0, from[1] + 0.0}; /* -0 becomes +0 */
-    set_point(p->m, (gmds_id)k, x);
+    x[2 * k] = from[0] + 0.0; /* -0 becomes +0 */
+    x[2 * k + 1] = from[1] + 0.0;
   }
 }
 
@@ -31,13 +32,16 @@ static inline gmds_status place_nodes(mesh *m, unsigned threads, size_t n, const
     result->node_of = same;
     result->points = n;
   }
-  GMDS_TRY(gmds_order_points(mesh_memory(m), threads, 2, n, xy, error, order, same, &distinct));
+  gmds_id first = 0;
+  gmds_status status = n < GMDS_NONE ? reserve(m, n + 1, 0, 0) : GMDS_ERR_TOO_MANY;
+  if (status != GMDS_OK)
+    return gmds_fail(error, status, "%zu nodes: %s", n, gmds_status_text(status));
+  /* the room for the coordinates serves as working space before they are there */
+  void *room = gmds_order_scratch(n) <= 2 * sizeof(double) * n ? coordinates(m) : NULL;
+  GMDS_TRY(gmds_order_points(mesh_memory(m), room, threads, 2, n, xy, error, order, same, &distinct));
   if (result)
     result->distinct = distinct;
-  gmds_id first = 0;
-  gmds_status status = reserve(m, distinct + 1, 0, 0);
-  if (status == GMDS_OK)
-    status = add_nodes(m, distinct, NULL, &first);
+  status = add_nodes(m, distinct, NULL, &first);
   if (status != GMDS_OK)
     return gmds_fail(error, status, "%zu nodes: %s", distinct, gmds_status_text(status));
   placing all = {m, threads, distinct, xy, order};

@@ -9,8 +9,13 @@
 extern "C" {
 #endif
 
+/* The bytes of working space that ordering n points takes: 16 a point, 32 where gmds_id has 64 bits. */
+size_t gmds_order_scratch(size_t n);
+
 /* Orders n points for insertion.
- *   memory     where temporary arrays come from: 16 bytes a point (32 where gmds_id has 64 bits), all freed again
+ *   memory     where the working space comes from, all freed again
+ *   scratch    gmds_order_scratch(n) bytes of the caller's that may be overwritten, aligned for doubles, where there are
+ *              some anyway (a first touch of memory costs as much as ten reads); else NULL
  *   threads    how many may work; it does not change the result. 0 counts as 1
  *   dim        2 or 3
  *   n, xy      n × dim coordinates, row major, all finite
@@ -24,7 +29,7 @@ extern "C" {
  * grid that the curve runs through are ordered again within their own box, which for the worst inputs, coordinates of
  * all magnitudes, repeats the work some 130 (in 3D 220) times. Uses up to
  * 100 kB of stack, and with several threads 40 kB each of `memory`. */
-gmds_status gmds_order_points(gmds_memory *memory, unsigned threads, int dim, size_t n, const double *xy,
+gmds_status gmds_order_points(gmds_memory *memory, void *scratch, unsigned threads, int dim, size_t n, const double *xy,
                               gmds_error *error, gmds_id *order, gmds_id *same_as, size_t *distinct);
 
 #ifdef __cplusplus

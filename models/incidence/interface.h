@@ -50,6 +50,10 @@ static inline gmds_id next_2(const mesh *m, gmds_id f);
 static inline const double *point(const mesh *m, gmds_id v);
 static inline void set_point(mesh *m, gmds_id v, const double *x);
 
+/* The coordinates of all nodes, row major, for scans and for setting many: those of node v from 2 v or 3 v on, with room
+ * for as many nodes as were reserved. Valid until a node is added or the room changes. */
+static inline double *coordinates(mesh *m);
+
 /* One past the largest identifier in use: how long an array over all i-cells must be. */
 static inline size_t end_0(const mesh *m);
 static inline size_t end_1(const mesh *m);

@@ -17,6 +17,7 @@
 #define next_2 GMDS_FN(next_2)
 #define point GMDS_FN(point)
 #define set_point GMDS_FN(set_point)
+#define coordinates GMDS_FN(coordinates)
 #define row_2_0 GMDS_FN(row_2_0)
 #define row_2_1 GMDS_FN(row_2_1)
 #define row_2_2 GMDS_FN(row_2_2)

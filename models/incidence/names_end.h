@@ -17,6 +17,7 @@
 #undef next_2
 #undef point
 #undef set_point
+#undef coordinates
 #undef row_2_0
 #undef row_2_1
 #undef row_2_2

@@ -264,6 +264,11 @@ static inline const double *point(const mesh *m, gmds_id v)
   return m->points + GMDS__DIM * (size_t)v;
 }
 
+static inline double *coordinates(mesh *m)
+{
+  return m->points;
+}
+
 static inline void set_point(mesh *m, gmds_id v, const double *x)
 {
   memcpy(m->points + GMDS__DIM * (size_t)v, x, GMDS__DIM * sizeof *x);

@@ -88,7 +88,7 @@ static result ordered(int dim, size_t n, const double *xy)
   gmds_memory memory;
   gmds_memory_init(&memory, NULL);
   result r = result_new(n);
-  ck_assert_int_eq(gmds_order_points(&memory, 1, dim, n, xy, NULL, r.order, r.same_as, &r.distinct), GMDS_OK);
+  ck_assert_int_eq(gmds_order_points(&memory, NULL, 1, dim, n, xy, NULL, r.order, r.same_as, &r.distinct), GMDS_OK);
   ck_assert_uint_eq(memory.live, 0);
   ck_assert_uint_le(memory.peak, 4 * sizeof(double) * n);
 #if GMDS_ID_BITS == 32
@@ -170,7 +170,7 @@ START_TEST(same_as_may_be_left_out)
   result a = ordered(2, 500, xy), b = result_new(500);
   gmds_memory memory;
   gmds_memory_init(&memory, NULL);
-  ck_assert_int_eq(gmds_order_points(&memory, 1, 2, 500, xy, NULL, b.order, NULL, &b.distinct), GMDS_OK);
+  ck_assert_int_eq(gmds_order_points(&memory, NULL, 1, 2, 500, xy, NULL, b.order, NULL, &b.distinct), GMDS_OK);
   ck_assert_uint_eq(a.distinct, b.distinct);
   ck_assert_mem_eq(a.order, b.order, a.distinct * sizeof *a.order);
   result_free(a);
@@ -185,7 +185,7 @@ static void check_refused(gmds_memory *memory, int dim, size_t n, const double *
 {
   size_t room = n > 100000 ? 0 : n;
   result r = result_new(room), before = result_new(room);
-  gmds_status status = gmds_order_points(memory, 1, dim, n, xy, error, r.order, r.same_as, &r.distinct);
+  gmds_status status = gmds_order_points(memory, NULL, 1, dim, n, xy, error, r.order, r.same_as, &r.distinct);
   ck_assert_int_eq(status, expected);
   ck_assert_mem_eq(r.order, before.order, (room + 1) * sizeof *r.order);
   ck_assert_mem_eq(r.same_as, before.same_as, (room + 1) * sizeof *r.same_as);
@@ -240,7 +240,7 @@ START_TEST(failing_allocations_leave_the_outputs_untouched)
     gmds_memory memory;
     gmds_memory_init(&memory, &allocator);
     result r = result_new(3000);
-    gmds_status status = gmds_order_points(&memory, 1, 2, 3000, xy, NULL, r.order, r.same_as, &r.distinct);
+    gmds_status status = gmds_order_points(&memory, NULL, 1, 2, 3000, xy, NULL, r.order, r.same_as, &r.distinct);
     result_free(r);
     ck_assert_uint_eq(f.live, 0);
     if (status == GMDS_OK) {
@@ -429,12 +429,12 @@ START_TEST(threads_do_not_change_the_order)
       gmds_memory memory;
       gmds_memory_init(&memory, NULL);
       result one = result_new(MANY);
-      ck_assert_int_eq(gmds_order_points(&memory, 1, dim, MANY, xy, NULL, one.order, one.same_as, &one.distinct),
+      ck_assert_int_eq(gmds_order_points(&memory, NULL, 1, dim, MANY, xy, NULL, one.order, one.same_as, &one.distinct),
                        GMDS_OK);
       for (unsigned threads = 2; threads < 12; threads += 3) {
         result r = result_new(MANY);
-        ck_assert_int_eq(gmds_order_points(&memory, threads, dim, MANY, xy, NULL, r.order, r.same_as, &r.distinct),
-                         GMDS_OK);
+        ck_assert_int_eq(
+            gmds_order_points(&memory, NULL, threads, dim, MANY, xy, NULL, r.order, r.same_as, &r.distinct), GMDS_OK);
         ck_assert_uint_eq(r.distinct, one.distinct);
         ck_assert(memcmp(r.order, one.order, r.distinct * sizeof *r.order) == 0);
         ck_assert(memcmp(r.same_as, one.same_as, MANY * sizeof *r.same_as) == 0);
