@@ -19,13 +19,18 @@ static inline gmds_status compact(mesh *m, gmds_id *maps[3])
 #define GMDS__RENUMBER_ROWS(i, j) \
   if (map[i] || map[j])           \
     gmds_rows_renumber(&m->r_##i##_##j, m->cells[i].end, map[i], map[j]);
+#define GMDS__RENUMBER_PAIRS(i, j) \
+  if (map[i] || map[j])            \
+    gmds_pairs_renumber(&m->r_##i##_##j, m->cells[i].end, map[i], map[j]);
 #define GMDS__RENUMBER_INLINE(i, j)                                                                             \
   if (map[i] || map[j])                                                                                         \
     gmds_column_renumber(&m->r_##i##_##j, GMDS__ARITY_##i, &m->cells[i].alive, m->cells[i].end, map[i], map[j], \
                          GMDS__CODED &&i == 2 && j == 2);
     GMDS__EACH_POOLED(GMDS__RENUMBER_ROWS)
+    GMDS__EACH_PAIRS(GMDS__RENUMBER_PAIRS)
     GMDS__EACH_INLINE(GMDS__RENUMBER_INLINE)
 #undef GMDS__RENUMBER_ROWS
+#undef GMDS__RENUMBER_PAIRS
 #undef GMDS__RENUMBER_INLINE
     for (gmds_id v = next_0(m, 0); map[0] && v != GMDS_NONE; v = next_0(m, v + 1))
       if (map[0][v] != v)

@@ -129,7 +129,7 @@ static inline gmds_id across(const mesh *m, gmds_id f, unsigned k, unsigned *arr
 #      else
   gmds_id edge = find_edge(m, a, b);
 #      endif
-  const gmds_id *faces = gmds_rows_get(&m->r_1_2, edge, &n);
+  const gmds_id *faces = gmds_pairs_get(&m->r_1_2, edge, &n);
   if (n == 2)
     g = faces[faces[0] == f];
 #    else

@@ -119,10 +119,6 @@ static inline gmds_status take_star(mesh *m, size_t n_faces, size_t n_sides, gmd
   while (m->plan.n < 2 * n_sides) {
     gmds_id e = gmds_cells_take(&m->cells[1]);
     m->plan.data[m->plan.n++] = e;
-#    if GMDS__S_1_2
-    if (status == GMDS_OK)
-      status = gmds_rows_reserve(&m->r_1_2, &m->memory, e, 2);
-#    endif
   }
 #  endif
   if (status == GMDS_OK) {
@@ -210,10 +206,10 @@ static inline void star_edge(mesh *m, gmds_id apex, size_t i, size_t n_sides, co
   gmds_rows_push(&m->r_0_1, apex, e);
 #    endif
 #    if GMDS__S_1_2
-  gmds_rows_empty(&m->r_1_2, e);
-  gmds_rows_push(&m->r_1_2, e, ids[i > 0 ? i - 1 : n_sides - 1]);
-  gmds_rows_push(&m->r_1_2, e, ids[i]);
-  gmds_rows_replace(&m->r_1_2, on_boundary, faces[sides[i].in].face, ids[i]);
+  gmds_pairs_empty(&m->r_1_2, e);
+  gmds_pairs_push(&m->r_1_2, e, ids[i > 0 ? i - 1 : n_sides - 1]);
+  gmds_pairs_push(&m->r_1_2, e, ids[i]);
+  gmds_pairs_replace(&m->r_1_2, on_boundary, faces[sides[i].in].face, ids[i]);
 #    endif
 #  endif
 }
