@@ -130,3 +130,5 @@
 #define check_faces GMDS_FN(check_faces)
 #define add_known_faces GMDS_FN(add_known_faces)
 #define add_faces GMDS_FN(add_faces)
+#define arrival_at GMDS_FN(arrival_at)
+#define has_side_to GMDS_FN(has_side_to)

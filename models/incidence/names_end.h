@@ -156,3 +156,5 @@
 #undef GMDS_ADDS_LOCALLY
 #undef GMDS__SEES_FACES
 #undef GMDS__SEES_EDGES
+#undef arrival_at
+#undef has_side_to

@@ -43,6 +43,38 @@ void script_grid(subject *s, gmds_id w, gmds_id h, int kind)
     }
 }
 
+void script_list(const subject *s, face_list *list)
+{
+  list->n = list->begin[0] = 0;
+  for (gmds_id f = 0; f < s->ref.end[2]; f++) {
+    const reference_face *face = &s->ref.faces[f];
+    if (!face->alive)
+      continue;
+    memcpy(list->nodes + list->begin[list->n], face->nodes, face->n * sizeof *face->nodes);
+    list->begin[list->n + 1] = list->begin[list->n] + face->n;
+    list->n++;
+  }
+}
+
+gmds_status script_at_once(subject *s, const subject *like, const face_list *list, size_t *failed)
+{
+  gmds_status status;
+  begin_attempts(s);
+  do
+    status = s->m->do_add_faces(s->mesh, list->n, list->begin, list->nodes, failed);
+  while (again(s, status));
+  if (status != GMDS_OK)
+    return status;
+  gmds_cells *cells = s->m->do_cells(s->mesh);
+  const gmds_cells *source = s->m->do_cells(like->mesh);
+  s->ref = like->ref;
+  for (int i = 0; i < 3; i++)
+    if (s->ref.end[i] <= cells[i].end) /* else the comparison says it */
+      memcpy(gmds_attribute_find(&cells[i], "tag")->data, gmds_attribute_find(&source[i], "tag")->data,
+             s->ref.end[i] * sizeof(int64_t));
+  return status;
+}
+
 void script_face(subject *s)
 {
   static const size_t sizes[] = {3, 3, 3, 4, 4, 5, 6};
