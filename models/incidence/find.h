@@ -170,7 +170,13 @@ static inline gmds_id across(const mesh *m, gmds_id f, unsigned k, unsigned *arr
   *arrival = entry & 3;
   return entry == GMDS_NONE ? GMDS_NONE : entry >> 2;
 #  else
-  gmds_id a = face_node(m, f, k), b = face_node(m, f, k + 1 < face_sides(m, f) ? k + 1 : 0), g = GMDS_NONE;
+#    if GMDS__S_2_0
+  gmds_id a = face_node(m, f, k), b = face_node(m, f, k + 1 < face_sides(m, f) ? k + 1 : 0);
+#    else
+  const gmds_id *ends = m->r_1_0.data + 2 * (size_t)row_2_1(m, f, &n)[k];
+  gmds_id a = ends[0], b = ends[1];
+#    endif
+  gmds_id g = GMDS_NONE;
   (void)n;
 #    if GMDS__S_2_2
   g = row_2_2(m, f, &n)[k];
@@ -187,11 +193,12 @@ static inline gmds_id across(const mesh *m, gmds_id f, unsigned k, unsigned *arr
   /* the shorter of the rows of a and b: the node that stands for infinity has one as long as the hull */
   gmds_id from = m->r_0_2.length[a] < m->r_0_2.length[b] ? a : b, to = from == a ? b : a;
   const gmds_id *faces = gmds_rows_get(&m->r_0_2, from, &n);
-  unsigned found = 0;
-  for (size_t i = 0; i < n; i++) { /* to the end: there may be more than one */
-    int has = (faces[i] != f) & has_side_to(m, f, k, from, to, faces[i]);
-    g = has ? faces[i] : g;
-    found += (unsigned)has;
+  gmds_id found = 0;
+  for (size_t i = 0; i < n;
+       i++) { /* to the end: there may be more than one; no branch, which one cannot be predicted */
+    gmds_id has = (gmds_id)((faces[i] != f) & has_side_to(m, f, k, from, to, faces[i]));
+    g ^= (g ^ faces[i]) & (0 - has);
+    found += has;
   }
   if (found != 1)
     g = GMDS_NONE;

@@ -55,9 +55,11 @@ static inline gmds_status plan_star(mesh *m, size_t n_faces, const gmds_cavity_f
 #  if GMDS__MAKES_EDGES
   GMDS_TRY(gmds_ids_reserve(&m->plan, 2 * n_sides));
   for (size_t i = 0; i < n_sides; i++) {
-    const gmds_cavity_side *s = &sides[i];
     gmds_id edge = GMDS_NONE;
+#    if GMDS__S_1_2 || GMDS__S_2_1 /* else no relation of these edges changes */
+    const gmds_cavity_side *s = &sides[i];
     GMDS_TRY(edge_at(m, faces[s->in].face, (faces[s->in].side + s->in_side) % 3, s->a, s->b, s->out, &edge));
+#    endif
     m->plan.data[m->plan.n++] = edge;
   }
   for (size_t j = 1; j < n_faces; j++) {
