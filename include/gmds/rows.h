@@ -102,11 +102,15 @@ static inline void gmds_rows_remove(gmds_rows *rows, size_t r, gmds_id x)
     gmds_rows_remove_hashed(rows, r, x);
     return;
   }
-  gmds_id at = gmds_rows_find(rows, r, x);
-  if (at == GMDS_NONE)
+  size_t n = 0;
+  gmds_id *row = gmds_rows_get(rows, r, &n);
+  size_t at = n;
+  for (size_t k = 0; k < n; k++) /* to the end: a row is short, and where x stands cannot be predicted */
+    at = row[k] == x ? k : at;
+  if (at == n)
     return;
-  gmds_id *row = rows->pool + rows->start[r];
-  row[at] = row[--rows->length[r]];
+  row[at] = row[n - 1];
+  rows->length[r]--;
 }
 
 /* The first x becomes y. */

@@ -125,7 +125,7 @@ static inline gmds_status add_edge(mesh *m, gmds_id a, gmds_id b, gmds_id *id)
 #define GMDS_ADDS_FACES ((!GMDS__S_2_2 || GMDS__FINDS_FACES) && (!GMDS__MAKES_EDGES || GMDS__FINDS_EDGES))
 
 /* ... and without a traversal of the mesh. */
-#define GMDS__SEES_FACES ((GMDS__S_0_2 && GMDS__KNOWS_SIDES) || (GMDS__S_0_1 && GMDS__S_1_2))
+#define GMDS__SEES_FACES ((GMDS__S_0_2 && GMDS__KNOWS_SIDES) || (GMDS__LINKED_EDGES && GMDS__S_1_2))
 #define GMDS__SEES_EDGES \
   (GMDS__LINKED_EDGES ? GMDS__S_0_1 : GMDS__SEES_FACES && GMDS__S_2_1 && (GMDS__S_2_0 || GMDS__S_1_2))
 #define GMDS_ADDS_LOCALLY \

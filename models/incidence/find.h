@@ -35,14 +35,34 @@ static inline gmds_id find_edge(const mesh *m, gmds_id a, gmds_id b)
 #endif
 
 #if GMDS__FINDS_FACES
-/* Puts the faces on the side from a to b into `out`; e is the edge there (GMDS_NONE: none, or not known). */
+/* Puts the faces on the side from a to b into `out`; e is the edge there where edges and nodes are linked (GMDS_NONE:
+ * there is none). */
 static inline gmds_status faces_at_side(const mesh *m, gmds_id a, gmds_id b, gmds_id e, gmds_ids *out)
 {
   out->n = 0;
   (void)a;
   (void)b;
   (void)e;
-#  if (GMDS__S_0_2 || (GMDS__S_2_0 && !(GMDS__LINKED_EDGES && GMDS__S_1_2))) && GMDS__KNOWS_SIDES
+#  if GMDS__LINKED_EDGES && (GMDS__S_1_2 || !((GMDS__S_0_2 || GMDS__S_2_0) && GMDS__KNOWS_SIDES))
+  if (e == GMDS_NONE)
+    return GMDS_OK;
+  GMDS_TRY(gmds_ids_push(out, e));
+  GMDS_TRY(hop_1_2(m, out, 0, 1));
+  out->n--;
+  memmove(out->data, out->data + 1, out->n * sizeof *out->data);
+#  elif GMDS__S_0_2
+  gmds_id from = m->r_0_2.length[a] < m->r_0_2.length[b] ? a : b, to = from == a ? b : a;
+  size_t n = 0;
+  const gmds_id *row = gmds_rows_get(&m->r_0_2, from, &n);
+  (void)to;
+  for (size_t k = 0; k < n; k++)
+#    if GMDS__SIMPLICIAL
+    if (gmds_rows_find(&m->r_0_2, to, row[k]) != GMDS_NONE)
+#    else
+    if (has_side(m, row[k], a, b))
+#    endif
+      GMDS_TRY(gmds_ids_push(out, row[k]));
+#  else
   GMDS_TRY(gmds_ids_push(out, a));
   GMDS_TRY(gmds_ids_push(out, b));
   GMDS_TRY(meet_0_2(m, out, 0, 2, 2));
@@ -55,13 +75,6 @@ static inline gmds_status faces_at_side(const mesh *m, gmds_id a, gmds_id b, gmd
     out->data[kept++] = out->data[i];
   }
   out->n = kept;
-#  else
-  if (e == GMDS_NONE)
-    return GMDS_OK;
-  GMDS_TRY(gmds_ids_push(out, e));
-  GMDS_TRY(hop_1_2(m, out, 0, 1));
-  out->n--;
-  memmove(out->data, out->data + 1, out->n * sizeof *out->data);
 #  endif
   return GMDS_OK;
 }

@@ -243,7 +243,7 @@ static inline gmds_status add_edge(mesh *m, gmds_id a, gmds_id b, gmds_id *id);
  * GMDS_OK; GMDS_ERR_ARGUMENT (n is not of the model's types, or a node occurs twice); GMDS_ERR_CELL (a node that does
  * not exist); GMDS_ERR_CONFLICT (F2F holds two faces a side, this would be the third); GMDS_ERR_UNSUPPORTED (the model
  * has no way to find what is at a side, GMDS_ADDS_FACES is 0: use add_face_linked); GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY.
- * Local where the model finds faces and edges locally, else a traversal a side. */
+ * Local where the model finds faces and edges locally (GMDS_ADDS_LOCALLY is 1), else a traversal a side. */
 static inline gmds_status add_face(mesh *m, size_t n, const gmds_id *nodes, gmds_id *id);
 static inline gmds_status add_triangle(mesh *m, gmds_id a, gmds_id b, gmds_id c, gmds_id *id);
 static inline gmds_status add_quadrilateral(mesh *m, gmds_id a, gmds_id b, gmds_id c, gmds_id d, gmds_id *id);
@@ -307,7 +307,7 @@ static inline gmds_status star(mesh *m, gmds_id apex, size_t n_faces, const gmds
 static inline gmds_status check(const mesh *m, gmds_memory *memory, gmds_error *error);
 
 /* Fills an empty mesh from a soup: its points become nodes in their order, its faces faces; edges are added where the
- * model can hold them. GMDS_OK or any status of add_node, add_edge and add_face (`error` names the cell; the mesh is
+ * model can hold them. Faces take linear time in any model, edges that no face has that of add_edge. GMDS_OK or any status of add_node, add_edge and add_face (`error` names the cell; the mesh is
  * empty, its attributes stay); GMDS_ERR_UNSUPPORTED for volumes and for a third coordinate that is not 0 in a model of two. */
 static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *error);
 

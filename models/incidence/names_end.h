@@ -101,7 +101,8 @@
 #undef all_adj_2_2
 #undef compact
 #undef check
-#undef add_soup_face
+#undef add_soup_points
+#undef add_soup_faces
 #undef fill_from_soup
 #undef from_soup
 #undef fill_soup
