@@ -84,7 +84,6 @@ END_TEST
 
 /* ---- faces at once */
 
-/* One by one with all that is known, so that edges alike in their faces have the identifiers of their sides. */
 static void add_trap(subject *s, size_t t)
 {
   script_nodes(s, 10);
@@ -156,6 +155,41 @@ START_TEST(faces_that_cannot_be_added_leave_the_nodes_alone)
 }
 END_TEST
 
+/* ---- edges of many faces */
+
+START_TEST(an_edge_may_have_any_number_of_faces)
+{
+  enum { MANY = 20 };
+  for (size_t k = 0; k < n_models; k++) {
+    const model *m = all_models[k];
+    if (!allows(m, 3) || stores(m, 2, 2)) /* F2F holds two faces a side */
+      continue;
+    subject_begin(&one, m, 3);
+    script_nodes(&one, MANY + 2);
+    for (gmds_id v = 2; v < MANY + 2; v++) {
+      const gmds_id nodes[3] = {0, 1, v};
+      subject_add_face(&one, 3, nodes, KNOWS_BOTH);
+      if (v < 6)
+        subject_compare(&one);
+    }
+    subject_compare(&one);
+    size_t most = m->do_memory(one.mesh)->live;
+    for (gmds_id f = 0; f < MANY; f++) {
+      if (f % 10 == 4) /* two stay */
+        continue;
+      subject_remove_face(&one, f, usual_edges(m));
+      if (f > MANY - 6)
+        subject_compare(&one);
+    }
+    subject_compact(&one);
+    ck_assert_int_eq(m->do_trim(one.mesh), GMDS_OK);
+    subject_compare(&one);
+    ck_assert_uint_lt(m->do_memory(one.mesh)->live, most);
+    subject_end(&one);
+  }
+}
+END_TEST
+
 /* ---- random meshes */
 
 /* Removes every second face while it goes over them, adding others: those that stay are met once. */
@@ -209,4 +243,5 @@ END_TEST
 
 RUN_SUITE("queries", paths_of_the_preprocessor_are_those_of_the_census, answers_are_exact_on_regular_meshes,
           answers_are_exact_where_shared_nodes_mislead, faces_added_at_once_are_those_added_one_by_one,
-          faces_that_cannot_be_added_leave_the_nodes_alone, answers_are_exact_after_creation_and_deletion)
+          faces_that_cannot_be_added_leave_the_nodes_alone, an_edge_may_have_any_number_of_faces,
+          answers_are_exact_after_creation_and_deletion)
