@@ -234,12 +234,10 @@ static int run(const verb *v, int argc, char **argv)
     return code;
   if (strcmp(what, "cells") == 0)
     return bench_cells(v, size, model, json);
-  if (size)
-    return misused(v, "--n belongs to 'cells'");
-  if (strcmp(what, "predicates") == 0)
-    return bench_predicates(json);
   if (strcmp(what, "hexgrid") == 0)
     return failed("bench hexgrid: this version has no combinatorial maps");
+  if (strcmp(what, "predicates") == 0)
+    return size ? misused(v, "--n belongs to 'cells'") : bench_predicates(json);
   return misused(v, "there is nothing called '%s' to measure", what);
 }
 
