@@ -48,8 +48,7 @@
 #else
 #  define GMDS__IF_2_2(x)
 #endif
-#define GMDS__EACH_SET(X) \
-  GMDS__IF_0_0(X(0, 0)) GMDS__IF_0_1(X(0, 1)) GMDS__IF_0_2(X(0, 2)) GMDS__IF_1_1(X(1, 1))
+#define GMDS__EACH_SET(X) GMDS__IF_0_0(X(0, 0)) GMDS__IF_0_1(X(0, 1)) GMDS__IF_0_2(X(0, 2)) GMDS__IF_1_1(X(1, 1))
 #define GMDS__EACH_PAIRS(X) GMDS__IF_1_2(X(1, 2))
 #define GMDS__EACH_OF_FACES(X) GMDS__IF_2_0(X(2, 0)) GMDS__IF_2_1(X(2, 1)) GMDS__IF_2_2(X(2, 2))
 #if GMDS__INLINE
