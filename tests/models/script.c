@@ -103,7 +103,7 @@ gmds_status script_at_once(subject *s, const subject *like, const face_list *lis
   const gmds_cells *source = s->m->do_cells(like->mesh);
   s->ref = like->ref;
   for (int i = 0; i < 3; i++)
-    if (s->ref.end[i] <= cells[i].end) /* else the comparison says it */
+    if (s->ref.end[i] && s->ref.end[i] <= cells[i].end) /* else the comparison says it */
       memcpy(gmds_attribute_find(&cells[i], "tag")->data, gmds_attribute_find(&source[i], "tag")->data,
              s->ref.end[i] * sizeof(int64_t));
   if (makes_edges(s->m) && !links_edges(s->m))
