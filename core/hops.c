@@ -39,6 +39,17 @@ gmds_status gmds_hop_rows(const gmds_rows *rows, gmds_ids *list, size_t first, s
   return GMDS_OK;
 }
 
+gmds_status gmds_hop_pairs(const gmds_pairs *pairs, gmds_ids *list, size_t first, size_t last)
+{
+  size_t before = list->n;
+  for (size_t i = first; i < last; i++) {
+    size_t n = 0;
+    const gmds_id *row = gmds_pairs_get(pairs, list->data[i], &n);
+    GMDS_TRY(append(list, before, row, n));
+  }
+  return GMDS_OK;
+}
+
 gmds_status gmds_hop_inline(const gmds_id *data, size_t arity, gmds_ids *list, size_t first, size_t last)
 {
   size_t before = list->n;
@@ -182,6 +193,31 @@ gmds_status gmds_scan_inline(const gmds_id *data, size_t arity, const gmds_bits 
   return GMDS_OK;
 }
 
+/* The pairs as one array, in which a long row shows as the number it has; then the long rows. */
+gmds_status gmds_scan_pairs(const gmds_pairs *pairs, size_t end, gmds_ids *list, size_t first, size_t last)
+{
+  const few f = few_of(list, first, last);
+  const four wanted = four_of(list, first, last);
+  const gmds_id *data = pairs->entries.data;
+  size_t before = list->n, entries = 2 * end;
+  for (size_t base = 0; base < entries; base += BLOCK) {
+    size_t n = entries - base < BLOCK ? entries - base : BLOCK;
+    if (n == BLOCK && last - first <= FEW && !block_matches(data + base, &wanted))
+      continue;
+    for (size_t e = base; e < base + n; e++)
+      if (may_have(&f, data[e]) && data[e - e % 2] != GMDS_NONE)
+        GMDS_TRY(push_matches(&f, list, before, data[e], (gmds_id)(e / 2)));
+  }
+  for (gmds_id number = 0; number < pairs->n_more; number++) {
+    size_t n = 0;
+    const gmds_id *row = gmds_rows_get(&pairs->more, number, &n);
+    for (size_t k = 0; k < n; k++)
+      if (may_have(&f, row[k]))
+        GMDS_TRY(push_matches(&f, list, before, row[k], pairs->owner.data[number]));
+  }
+  return GMDS_OK;
+}
+
 gmds_id gmds_find_pair(const gmds_id *data, const gmds_bits *alive, size_t end, gmds_id a, gmds_id b)
 {
   for (size_t base = 0; base < end; base += BLOCK) {
@@ -253,6 +289,24 @@ gmds_status gmds_invert_rows(const gmds_rows *rows, size_t end, size_t n, gmds_c
     for (size_t c = 0; c < end; c++) {
       size_t length = 0;
       const gmds_id *row = gmds_rows_get(rows, c, &length);
+      invert_row(row, length, c, csr);
+    }
+    if (pass == 0)
+      GMDS_TRY(sum_counts(csr));
+    if (!csr->data)
+      break;
+  }
+  end_invert(csr);
+  return GMDS_OK;
+}
+
+gmds_status gmds_invert_pairs(const gmds_pairs *pairs, size_t end, size_t n, gmds_csr *csr)
+{
+  GMDS_TRY(begin_invert(n, csr));
+  for (int pass = 0; pass < 2; pass++) {
+    for (size_t c = 0; c < end; c++) {
+      size_t length = 0;
+      const gmds_id *row = gmds_pairs_get(pairs, c, &length);
       invert_row(row, length, c, csr);
     }
     if (pass == 0)

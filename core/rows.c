@@ -15,11 +15,6 @@ static size_t block_of(const gmds_rows *rows, unsigned size)
   return size > GMDS_ROWS_LONG && !rows->ordered ? 3 * n : n;
 }
 
-static int is_hashed(const gmds_rows *rows, size_t r)
-{
-  return rows->size[r] > GMDS_ROWS_LONG && !rows->ordered;
-}
-
 /* Capacities grow as 2, 4, 6, 8, 12, 16, 24, 32, 48, 64, 128, ... */
 static unsigned class_for(size_t n, int exact)
 {
@@ -54,8 +49,7 @@ static gmds_id *slot_of(const gmds_rows *rows, size_t r, gmds_id x)
   return table + k;
 }
 
-/* Enters the position of an entry that the table does not know yet. */
-static void fill_slot(gmds_rows *rows, size_t r, gmds_id position)
+void gmds_rows_enter(gmds_rows *rows, size_t r, gmds_id position)
 {
   gmds_id *row = rows->pool + rows->start[r];
   size_t n = entries_of(rows->size[r]), mask = 2 * n - 1, k = hash(row[position], mask);
@@ -70,7 +64,7 @@ static void build_table(gmds_rows *rows, size_t r)
   size_t n = entries_of(rows->size[r]);
   memset(row + n, 0, 2 * n * sizeof *row);
   for (gmds_id k = 0; k < rows->length[r]; k++)
-    fill_slot(rows, r, k);
+    gmds_rows_enter(rows, r, k);
 }
 
 /* Empties a slot and closes the gap in its chain (Knuth 6.4, algorithm R). */
@@ -186,7 +180,7 @@ static gmds_status take_block(gmds_rows *rows, gmds_memory *memory, unsigned siz
   return GMDS_OK;
 }
 
-gmds_status gmds_rows_reserve(gmds_rows *rows, gmds_memory *memory, size_t r, size_t n)
+gmds_status gmds_rows_grow(gmds_rows *rows, gmds_memory *memory, size_t r, size_t n)
 {
   if (n <= entries_of(rows->size[r]))
     return GMDS_OK;
@@ -200,66 +194,45 @@ gmds_status gmds_rows_reserve(gmds_rows *rows, gmds_memory *memory, size_t r, si
   free_block(rows, r);
   rows->start[r] = start;
   rows->size[r] = (uint8_t)size;
-  if (is_hashed(rows, r))
+  if (gmds_rows_is_hashed(rows, r))
     build_table(rows, r);
   return GMDS_OK;
 }
 
-void gmds_rows_push(gmds_rows *rows, size_t r, gmds_id x)
+gmds_id gmds_rows_find_hashed(const gmds_rows *rows, size_t r, gmds_id x)
 {
-  gmds_id n = rows->length[r]++;
-  rows->pool[rows->start[r] + n] = x;
-  if (is_hashed(rows, r))
-    fill_slot(rows, r, n);
+  gmds_id position = *slot_of(rows, r, x);
+  return position ? position - 1 : GMDS_NONE;
 }
 
-gmds_id gmds_rows_find(const gmds_rows *rows, size_t r, gmds_id x)
+void gmds_rows_remove_hashed(gmds_rows *rows, size_t r, gmds_id x)
 {
-  if (is_hashed(rows, r)) {
-    gmds_id position = *slot_of(rows, r, x);
-    return position ? position - 1 : GMDS_NONE;
-  }
-  size_t n = 0;
-  const gmds_id *row = gmds_rows_get(rows, r, &n);
-  for (size_t k = 0; k < n; k++)
-    if (row[k] == x)
-      return (gmds_id)k;
-  return GMDS_NONE;
-}
-
-void gmds_rows_remove(gmds_rows *rows, size_t r, gmds_id x)
-{
-  gmds_id at = gmds_rows_find(rows, r, x);
-  if (at == GMDS_NONE)
+  gmds_id *slot = slot_of(rows, r, x), *row = rows->pool + rows->start[r];
+  if (!*slot)
     return;
-  gmds_id *row = rows->pool + rows->start[r];
-  gmds_id last = rows->length[r] - 1;
-  if (is_hashed(rows, r)) {
-    erase_slot(rows, r, slot_of(rows, r, x));
-    if (at != last)
-      *slot_of(rows, r, row[last]) = at + 1;
-  }
+  gmds_id at = *slot - 1, last = rows->length[r] - 1;
+  erase_slot(rows, r, slot);
+  if (at != last)
+    *slot_of(rows, r, row[last]) = at + 1;
   row[at] = row[last];
   rows->length[r] = last;
 }
 
-void gmds_rows_replace(gmds_rows *rows, size_t r, gmds_id x, gmds_id y)
+void gmds_rows_replace_hashed(gmds_rows *rows, size_t r, gmds_id x, gmds_id y)
 {
-  gmds_id at = gmds_rows_find(rows, r, x);
-  if (at == GMDS_NONE)
+  gmds_id *slot = slot_of(rows, r, x);
+  if (!*slot)
     return;
-  gmds_id *row = rows->pool + rows->start[r];
-  if (is_hashed(rows, r))
-    erase_slot(rows, r, slot_of(rows, r, x));
-  row[at] = y;
-  if (is_hashed(rows, r))
-    fill_slot(rows, r, at);
+  gmds_id at = *slot - 1;
+  erase_slot(rows, r, slot);
+  rows->pool[rows->start[r] + at] = y;
+  gmds_rows_enter(rows, r, at);
 }
 
 void gmds_rows_empty(gmds_rows *rows, size_t r)
 {
   rows->length[r] = 0;
-  if (is_hashed(rows, r))
+  if (gmds_rows_is_hashed(rows, r))
     build_table(rows, r);
 }
 
@@ -269,6 +242,17 @@ void gmds_rows_release(gmds_rows *rows, size_t r)
   rows->start[r] = 0;
   rows->length[r] = 0;
   rows->size[r] = 0;
+}
+
+void gmds_rows_move(gmds_rows *rows, size_t from, size_t to)
+{
+  if (from == to)
+    return;
+  rows->start[to] = rows->start[from];
+  rows->length[to] = rows->length[from];
+  rows->size[to] = rows->size[from];
+  rows->start[from] = rows->length[from] = 0;
+  rows->size[from] = 0;
 }
 
 gmds_status gmds_rows_meet(const gmds_rows *rows, size_t first, size_t last, size_t times, gmds_ids *list)
@@ -327,7 +311,7 @@ gmds_status gmds_rows_trim(gmds_rows *rows, gmds_memory *memory)
       memcpy(rows->pool + used, old + rows->start[r], length * sizeof *old);
     rows->start[r] = length ? (gmds_id)used : 0;
     rows->size[r] = (uint8_t)size;
-    if (is_hashed(rows, r))
+    if (gmds_rows_is_hashed(rows, r))
       build_table(rows, r);
     used += block_of(rows, size);
   }
@@ -349,18 +333,12 @@ void gmds_rows_renumber(gmds_rows *rows, size_t end, const gmds_id *row_map, con
     size_t to = row_map ? row_map[r] : r;
     if (to == GMDS_NONE)
       continue;
-    if (to != r) { /* the row at `to` was moved or is empty */
-      rows->start[to] = rows->start[r];
-      rows->length[to] = rows->length[r];
-      rows->size[to] = rows->size[r];
-      rows->start[r] = rows->length[r] = 0;
-      rows->size[r] = 0;
-    }
+    gmds_rows_move(rows, r, to); /* the row at `to` was moved or is empty */
     size_t n = 0;
     gmds_id *row = gmds_rows_get(rows, to, &n);
     for (size_t k = 0; entry_map && k < n; k++)
       row[k] = renamed(row[k], entry_map);
-    if (entry_map && is_hashed(rows, to))
+    if (entry_map && gmds_rows_is_hashed(rows, to))
       build_table(rows, to);
   }
 }

@@ -1,5 +1,5 @@
 /* The shell of a generated model: gives the command one entry a model. Included between <gmds/mesh.h> and <gmds/end.h>,
- * after the algorithms. */
+ * after the algorithms and cells_entry.h. */
 #include "model_entry.h"
 
 static gmds_status GMDS_FN(measure)(const model_task *task, mesh *m, gmds_delaunay_result *result, model_report *report)
@@ -49,6 +49,7 @@ enum {
 
 const model_entry GMDS_FN(entry) = {.mask = GMDS__MASK,
                                     .triangulate = GMDS_FN(triangulate),
+                                    .cells = GMDS_FN(cells),
                                     .code = {{GMDS__CODE(0, 0), GMDS__CODE(0, 1), GMDS__CODE(0, 2)},
                                              {GMDS__CODE(1, 0), GMDS__CODE(1, 1), GMDS__CODE(1, 2)},
                                              {GMDS__CODE(2, 0), GMDS__CODE(2, 1), GMDS__CODE(2, 2)}}};

@@ -47,6 +47,7 @@ static int write_model(const char *folder, const char *mask, const char *prefix)
            "#define GMDS_FACES TRIANGLE\n"
            "#include <gmds/mesh.h>\n"
            "#include <gmds/algorithms/delaunay.h>\n"
+           "#include \"cells_entry.h\"\n"
            "#include \"entry.h\"\n"
            "#include <gmds/end.h>\n",
            prefix, mask);

@@ -23,9 +23,42 @@ typedef struct model_report {
   uint64_t sum; /* checksum of the triangles */
 } model_report;
 
+/* `gmds bench cells`: what is done with a mesh of triangles, and what came of it. */
+typedef enum cells_work {
+  CELLS_BULK,      /* a mesh from arrays, all faces at once */
+  CELLS_CONSTRUCT, /* the same face by face, where that needs no traversal; this mesh is the one that is worked on */
+  CELLS_AREA,
+  CELLS_STARS,
+  CELLS_EDGES,
+  CELLS_MARKS,
+  CELLS_ATTRIBUTES,
+  CELLS_WORKS
+} cells_work;
+
+enum { CELLS_REPETITIONS = 7 };
+
+typedef struct cells_task {
+  size_t n_nodes, n_edges, n_triangles;
+  const double *xy;     /* n_nodes × 2 */
+  const gmds_id *nodes; /* n_triangles × 3 */
+  double (*now)(void);
+} cells_task;
+
+typedef struct cells_report {
+  gmds_memory memory; /* what answers are written to, beside the mesh */
+  double seconds[CELLS_WORKS][CELLS_REPETITIONS];
+  int done[CELLS_WORKS]; /* repetitions; 0: the model cannot */
+  size_t nodes, edges, triangles, bytes, peak_bytes;
+  double area;               /* of all triangles */
+  size_t star_faces, marked; /* faces around all nodes; marked faces */
+  uint64_t star_sum;         /* of their identifiers */
+  double number_sum;         /* of the attribute */
+} cells_report;
+
 typedef struct model_entry {
   unsigned mask;
   gmds_status (*triangulate)(const model_task *task, model_report *report);
+  gmds_status (*cells)(const cells_task *task, cells_report *report);
   int code[3][3]; /* the paths that the preprocessor chose (models/choice.h) */
 } model_entry;
 

@@ -56,6 +56,25 @@ gmds_status gmds_copy_rows(const gmds_rows *rows, size_t end, gmds_csr *csr)
   return GMDS_OK;
 }
 
+gmds_status gmds_copy_pairs(const gmds_pairs *pairs, size_t end, gmds_csr *csr)
+{
+  size_t entries = 0, used = 0, n = 0;
+  for (size_t c = 0; c < end; c++) {
+    (void)gmds_pairs_get(pairs, c, &n);
+    entries += n;
+  }
+  GMDS_TRY(begin_copy(end, entries, csr));
+  for (size_t c = 0; c < end; c++) {
+    const gmds_id *row = gmds_pairs_get(pairs, c, &n);
+    csr->begin[c] = used;
+    if (n)
+      memcpy(csr->data + used, row, n * sizeof *row);
+    used += n;
+  }
+  csr->begin[end] = used;
+  return GMDS_OK;
+}
+
 gmds_status gmds_copy_inline(const gmds_id *data, size_t arity, const gmds_bits *alive, size_t end, int shift,
                              gmds_csr *csr)
 {

@@ -73,14 +73,24 @@
       GMDS_PREFIX) "' cannot decide " #i "->" #j \
                    " on faces that are no triangles: add F2N to GMDS_MODEL, or define GMDS_FACES TRIANGLE")
 
+#define GMDS__NOT_STORED(i, j)                        \
+  GMDS_UNAVAILABLE("gmds: model '" GMDS_TEXT(         \
+      GMDS_PREFIX) "' stores no relation " #i "->" #j \
+                   " to view: add " GMDS__W1(1, i, j) " to GMDS_MODEL, or ask get_adj_" #i "_" #j "()")
+#define GMDS__NO_VIEW \
+  GMDS_UNAVAILABLE(   \
+      "gmds: 2->2 has no view: an entry of F2F may be empty and carry a side: ask across() or get_adj_2_2()")
+
 /* What an algorithm may ask of the open model at compile time:
  *   GMDS_CAN(i, j)     get_adj_i_j exists
  *   GMDS_STORED(i, j)  it is a stored relation
+ *   GMDS_VIEW(i, j)    view_i_j exists
  *   GMDS_ORDERED_2_0   get_adj_2_0 gives the nodes of a face in their order around it
  *   GMDS_CONCURRENT_STARS  stars may be made by several threads at once (interface.h)
  *   GMDS_ACROSS        across() gives the face beyond side k of a face, in time that does not grow with the mesh */
 #define GMDS_CAN(i, j) GMDS__CAN_##i##_##j
 #define GMDS_STORED(i, j) GMDS__S_##i##_##j
+#define GMDS_VIEW(i, j) (GMDS__S_##i##_##j && !((i) == 2 && (j) == 2))
 #define GMDS_ORDERED_2_0 (GMDS__S_2_0 || (GMDS__S_2_1 && GMDS__S_1_0))
 #define GMDS_ACROSS \
   (GMDS_ORDERED_2_0 && (GMDS__S_2_2 || (GMDS__S_2_1 && GMDS__S_1_2) || GMDS__S_0_2 || (GMDS__S_0_1 && GMDS__S_1_2)))

@@ -51,8 +51,11 @@
 #undef GMDS__SORRY
 #undef GMDS__CANNOT
 #undef GMDS__UNDECIDED
+#undef GMDS__NOT_STORED
+#undef GMDS__NO_VIEW
 #undef GMDS_CAN
 #undef GMDS_STORED
+#undef GMDS_VIEW
 #undef GMDS_ORDERED_2_0
 #undef GMDS_ACROSS
 #undef GMDS_CONCURRENT_STARS

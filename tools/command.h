@@ -78,6 +78,6 @@ gmds_status write_plot(const char *path, const sweep_row *rows, size_t n, gmds_e
 /* Writes a soup, or its picture where the name ends in .svg. */
 gmds_status write_any(const char *path, const gmds_soup *soup, gmds_error *error);
 
-extern const verb verb_models, verb_sweep, verb_delaunay, verb_convert, verb_info, verb_check;
+extern const verb verb_models, verb_sweep, verb_delaunay, verb_convert, verb_info, verb_check, verb_bench;
 
 #endif

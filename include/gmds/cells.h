@@ -77,6 +77,8 @@ static inline int gmds_cells_has(const gmds_cells *cells, gmds_id id)
  * `for (c = next(0); c != GMDS_NONE; c = next(c + 1))` meets every cell that is alive all along once. */
 static inline gmds_id gmds_cells_next(const gmds_cells *cells, gmds_id id)
 {
+  if (gmds_cells_has(cells, id)) /* as a rule */
+    return id;
   size_t next = gmds_bits_next(&cells->alive, id, cells->end);
   return next < cells->end ? (gmds_id)next : GMDS_NONE;
 }

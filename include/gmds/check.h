@@ -28,6 +28,7 @@ gmds_status gmds_check_relations(const gmds_relations *all, gmds_memory *memory,
 
 /* Copies of stored relations for the check, GMDS_NONE included; `shift` drops low bits of entries.
  * GMDS_OK or GMDS_ERR_MEMORY. */
+gmds_status gmds_copy_pairs(const gmds_pairs *pairs, size_t end, gmds_csr *csr);
 gmds_status gmds_copy_rows(const gmds_rows *rows, size_t end, gmds_csr *csr);
 gmds_status gmds_copy_inline(const gmds_id *data, size_t arity, const gmds_bits *alive, size_t end, int shift,
                              gmds_csr *csr);

@@ -4,6 +4,7 @@
 #define GMDS_HOPS_H
 
 #include <gmds/bits.h>
+#include <gmds/pairs.h>
 #include <gmds/rows.h>
 
 #ifdef __cplusplus
@@ -24,13 +25,15 @@ void gmds_csr_clear(gmds_csr *csr);
 
 /* Each takes the cells list[first] to list[last - 1] and appends what they are linked with, once for each link. The
  * multiset is what Keep counts. GMDS_OK or GMDS_ERR_MEMORY (what was appended is cut off again).
- *   rows, inline   along the stored relation; GMDS_NONE is left out; a row inline has `arity` entries
- *   scan           by traversal of the inverse relation of `end` cells: O(end * arity), or O(entries)
- *   csr            along a relation of the whole mesh */
+ *   rows, pairs, inline   along the stored relation; GMDS_NONE is left out; a row inline has `arity` entries
+ *   scan                  by traversal of the inverse relation of `end` cells: O(end * arity), or O(entries)
+ *   csr                   along a relation of the whole mesh */
 gmds_status gmds_hop_rows(const gmds_rows *rows, gmds_ids *list, size_t first, size_t last);
+gmds_status gmds_hop_pairs(const gmds_pairs *pairs, gmds_ids *list, size_t first, size_t last);
 gmds_status gmds_hop_inline(const gmds_id *data, size_t arity, gmds_ids *list, size_t first, size_t last);
 gmds_status gmds_hop_csr(const gmds_csr *csr, gmds_ids *list, size_t first, size_t last);
 gmds_status gmds_scan_rows(const gmds_rows *rows, size_t end, gmds_ids *list, size_t first, size_t last);
+gmds_status gmds_scan_pairs(const gmds_pairs *pairs, size_t end, gmds_ids *list, size_t first, size_t last);
 gmds_status gmds_scan_inline(const gmds_id *data, size_t arity, const gmds_bits *alive, size_t end, gmds_ids *list,
                              size_t first, size_t last);
 
@@ -40,6 +43,7 @@ gmds_id gmds_find_pair(const gmds_id *data, const gmds_bits *alive, size_t end, 
 /* The inverse of a relation of `end` cells towards `n` cells, for the whole mesh. GMDS_OK or GMDS_ERR_MEMORY (the csr
  * stays empty). O(n + entries). */
 gmds_status gmds_invert_rows(const gmds_rows *rows, size_t end, size_t n, gmds_csr *csr);
+gmds_status gmds_invert_pairs(const gmds_pairs *pairs, size_t end, size_t n, gmds_csr *csr);
 gmds_status gmds_invert_csr(const gmds_csr *relation, size_t n, gmds_csr *csr);
 gmds_status gmds_invert_inline(const gmds_id *data, size_t arity, const gmds_bits *alive, size_t end, size_t n,
                                gmds_csr *csr);

@@ -28,6 +28,7 @@
 #  include <gmds/census.h>
 #  include <gmds/check.h>
 #  include <gmds/checksum.h>
+#  include <gmds/edges.h>
 #  include <gmds/hops.h>
 #  include <gmds/ids.h>
 #  include <gmds/models/choice.h>
@@ -52,12 +53,14 @@
 #  include <gmds/models/incidence/interface.h>
 #  include <gmds/models/incidence/structure.h>
 #  include <gmds/models/incidence/query.h>
+#  include <gmds/models/incidence/view.h>
 #  include <gmds/models/incidence/side.h>
 #  include <gmds/models/incidence/find.h>
 #  include <gmds/models/incidence/add.h>
 #  include <gmds/models/incidence/remove.h>
 #  include <gmds/models/incidence/star.h>
 #  include <gmds/models/incidence/bulk.h>
+#  include <gmds/models/incidence/faces.h>
 #  include <gmds/models/incidence/compact.h>
 #  include <gmds/models/incidence/check.h>
 #  include <gmds/models/incidence/exchange.h>

@@ -47,9 +47,20 @@ void gmds_rows_clear(gmds_rows *rows, gmds_memory *memory);
 /* Exactly n rows, new ones empty (rows that go must be empty). GMDS_OK or GMDS_ERR_MEMORY (unchanged). */
 gmds_status gmds_rows_resize(gmds_rows *rows, gmds_memory *memory, size_t n);
 
+/* Whether a row carries a hash of positions. */
+static inline int gmds_rows_is_hashed(const gmds_rows *rows, size_t r)
+{
+  return rows->size[r] > GMDS_ROWS_LONG && !rows->ordered;
+}
+
 /* Makes sure that row r can grow to n entries without allocating. Its entries stay, their address may change.
  * GMDS_OK, GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (the entries are unchanged). Amortised O(entries). */
-gmds_status gmds_rows_reserve(gmds_rows *rows, gmds_memory *memory, size_t r, size_t n);
+gmds_status gmds_rows_grow(gmds_rows *rows, gmds_memory *memory, size_t r, size_t n);
+static inline gmds_status gmds_rows_reserve(gmds_rows *rows, gmds_memory *memory, size_t r, size_t n)
+{
+  unsigned size = rows->size[r]; /* of a long row, less than it holds */
+  return n <= size ? GMDS_OK : gmds_rows_grow(rows, memory, r, n);
+}
 
 /* The entries of row r, valid until a row is reserved. */
 static inline gmds_id *gmds_rows_get(const gmds_rows *rows, size_t r, size_t *n)
@@ -58,15 +69,66 @@ static inline gmds_id *gmds_rows_get(const gmds_rows *rows, size_t r, size_t *n)
   return *n ? rows->pool + rows->start[r] : NULL;
 }
 
-/* The changes of a row that cannot fail. Constant time each, up to GMDS_ROWS_LONG comparisons in a short row. */
-void gmds_rows_push(gmds_rows *rows, size_t r, gmds_id x);               /* room was reserved */
-void gmds_rows_remove(gmds_rows *rows, size_t r, gmds_id x);             /* the last entry takes its place */
-void gmds_rows_replace(gmds_rows *rows, size_t r, gmds_id x, gmds_id y); /* the first x becomes y */
-void gmds_rows_empty(gmds_rows *rows, size_t r);                         /* keeps its block */
-void gmds_rows_release(gmds_rows *rows, size_t r);                       /* empties it and frees its block */
-
 /* The position of x in row r, or GMDS_NONE. */
-gmds_id gmds_rows_find(const gmds_rows *rows, size_t r, gmds_id x);
+gmds_id gmds_rows_find_hashed(const gmds_rows *rows, size_t r, gmds_id x);
+static inline gmds_id gmds_rows_find(const gmds_rows *rows, size_t r, gmds_id x)
+{
+  if (gmds_rows_is_hashed(rows, r))
+    return gmds_rows_find_hashed(rows, r, x);
+  size_t n = 0;
+  const gmds_id *row = gmds_rows_get(rows, r, &n);
+  for (size_t k = 0; k < n; k++)
+    if (row[k] == x)
+      return (gmds_id)k;
+  return GMDS_NONE;
+}
+
+/* The changes of a row that cannot fail. Constant time each, up to GMDS_ROWS_LONG comparisons in a short row. Those of
+ * short rows are short enough to stand where they are called. */
+void gmds_rows_enter(gmds_rows *rows, size_t r, gmds_id position);      /* into the hash */
+static inline void gmds_rows_push(gmds_rows *rows, size_t r, gmds_id x) /* room was reserved */
+{
+  gmds_id n = rows->length[r]++;
+  rows->pool[rows->start[r] + n] = x;
+  if (gmds_rows_is_hashed(rows, r))
+    gmds_rows_enter(rows, r, n);
+}
+
+/* The last entry takes the place of x. */
+void gmds_rows_remove_hashed(gmds_rows *rows, size_t r, gmds_id x);
+static inline void gmds_rows_remove(gmds_rows *rows, size_t r, gmds_id x)
+{
+  if (gmds_rows_is_hashed(rows, r)) {
+    gmds_rows_remove_hashed(rows, r, x);
+    return;
+  }
+  size_t n = 0;
+  gmds_id *row = gmds_rows_get(rows, r, &n);
+  size_t at = n;
+  for (size_t k = 0; k < n; k++) /* to the end: a row is short, and where x stands cannot be predicted */
+    at = row[k] == x ? k : at;
+  if (at == n)
+    return;
+  row[at] = row[n - 1];
+  rows->length[r]--;
+}
+
+/* The first x becomes y. */
+void gmds_rows_replace_hashed(gmds_rows *rows, size_t r, gmds_id x, gmds_id y);
+static inline void gmds_rows_replace(gmds_rows *rows, size_t r, gmds_id x, gmds_id y)
+{
+  if (gmds_rows_is_hashed(rows, r)) {
+    gmds_rows_replace_hashed(rows, r, x, y);
+    return;
+  }
+  gmds_id at = gmds_rows_find(rows, r, x);
+  if (at != GMDS_NONE)
+    rows->pool[rows->start[r] + at] = y;
+}
+
+void gmds_rows_empty(gmds_rows *rows, size_t r);              /* keeps its block */
+void gmds_rows_release(gmds_rows *rows, size_t r);            /* empties it and frees its block */
+void gmds_rows_move(gmds_rows *rows, size_t from, size_t to); /* row `to` has no block, `from` has none any more */
 
 /* Appends to `list` the cells that occur in at least `times` (1 or more) of the rows list[first] to list[last - 1], once
  * each: Keep_times o Adj, for rows that are sets. For times > 1 the longest row is looked up in, never listed.

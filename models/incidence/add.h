@@ -41,9 +41,6 @@ static inline gmds_status reserve_edge(mesh *m, gmds_id e, gmds_id a, gmds_id b)
   for (int k = 0; k < 2; k++)
     GMDS_TRY(gmds_rows_reserve(&m->r_0_0, &m->memory, ends[k], m->r_0_0.length[ends[k]] + (size_t)2));
 #  endif
-#  if GMDS__S_1_2
-  GMDS_TRY(gmds_rows_reserve(&m->r_1_2, &m->memory, e, 2));
-#  endif
 #  if GMDS__S_1_1
   m->found.n = 0;
   GMDS_TRY(gmds_ids_push(&m->found, a));
@@ -100,7 +97,7 @@ static inline void drop_edge(mesh *m, gmds_id e)
   gmds_rows_release(&m->r_1_1, e);
 #  endif
 #  if GMDS__S_1_2
-  gmds_rows_release(&m->r_1_2, e);
+  gmds_pairs_empty(&m->r_1_2, e);
 #  endif
   gmds_cells_drop(&m->cells[1], e);
 }
@@ -139,6 +136,13 @@ static inline gmds_status add_edge(mesh *m, gmds_id a, gmds_id b, gmds_id *id)
 
 /* add_face finds by itself what it has to link. */
 #define GMDS_ADDS_FACES ((!GMDS__S_2_2 || GMDS__FINDS_FACES) && (!GMDS__MAKES_EDGES || GMDS__FINDS_EDGES))
+
+/* ... and without a traversal of the mesh. */
+#define GMDS__SEES_FACES ((GMDS__S_0_2 && GMDS__KNOWS_SIDES) || (GMDS__LINKED_EDGES && GMDS__S_1_2))
+#define GMDS__SEES_EDGES \
+  (GMDS__LINKED_EDGES ? GMDS__S_0_1 : GMDS__SEES_FACES && GMDS__S_2_1 && (GMDS__S_2_0 || GMDS__S_1_2))
+#define GMDS_ADDS_LOCALLY \
+  (GMDS_ADDS_FACES && (!GMDS__S_2_2 || GMDS__SEES_FACES) && (!GMDS__MAKES_EDGES || GMDS__SEES_EDGES))
 
 static inline int allows_sides(size_t n)
 {
@@ -284,7 +288,9 @@ static inline gmds_status reserve_face(mesh *m, gmds_id f, size_t n, const gmds_
 #endif
   for (size_t k = 0; k < n; k++) {
 #if GMDS__S_1_2
-    GMDS_TRY(gmds_rows_reserve(&m->r_1_2, &m->memory, edges[k], m->r_1_2.length[edges[k]] + (size_t)1));
+    size_t on_edge = 0;
+    (void)gmds_pairs_get(&m->r_1_2, edges[k], &on_edge);
+    GMDS_TRY(gmds_pairs_reserve(&m->r_1_2, &m->memory, edges[k], on_edge + 1));
 #endif
 #if GMDS__S_0_2
     GMDS_TRY(gmds_rows_reserve(&m->r_0_2, &m->memory, nodes[k], m->r_0_2.length[nodes[k]] + (size_t)1));
@@ -357,7 +363,7 @@ static inline void link_face(mesh *m, gmds_id f, size_t n, const gmds_id *nodes)
     (void)a;
     (void)b;
 #if GMDS__S_1_2
-    gmds_rows_push(&m->r_1_2, edges[k], f);
+    gmds_pairs_push(&m->r_1_2, edges[k], f);
 #endif
 #if GMDS__S_0_2
     gmds_rows_push(&m->r_0_2, a, f);

@@ -11,13 +11,18 @@ static inline gmds_status borrow(mesh *view, int a, int b, gmds_memory *memory)
 #define GMDS__BORROW_ROWS(i, j) \
   if (i == b && j == a)         \
     return gmds_invert_rows(&view->r_##i##_##j, view->cells[i].end, view->cells[j].end, csr);
+#define GMDS__BORROW_PAIRS(i, j) \
+  if (i == b && j == a)          \
+    return gmds_invert_pairs(&view->r_##i##_##j, view->cells[i].end, view->cells[j].end, csr);
 #define GMDS__BORROW_INLINE(i, j)                                                                                 \
   if (i == b && j == a)                                                                                           \
     return gmds_invert_inline(view->r_##i##_##j.data, GMDS__ARITY_##i, &view->cells[i].alive, view->cells[i].end, \
                               view->cells[j].end, csr);
   GMDS__EACH_POOLED(GMDS__BORROW_ROWS)
+  GMDS__EACH_PAIRS(GMDS__BORROW_PAIRS)
   GMDS__EACH_INLINE(GMDS__BORROW_INLINE)
 #undef GMDS__BORROW_ROWS
+#undef GMDS__BORROW_PAIRS
 #undef GMDS__BORROW_INLINE
   return GMDS_OK;
 }

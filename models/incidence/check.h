@@ -17,13 +17,18 @@ static inline gmds_status check(const mesh *m, gmds_memory *memory, gmds_error *
 #define GMDS__COPY_ROWS(i, j) \
   if (status == GMDS_OK)      \
     status = gmds_copy_rows(&m->r_##i##_##j, m->cells[i].end, &all.relation[i][j]);
+#define GMDS__COPY_PAIRS(i, j) \
+  if (status == GMDS_OK)       \
+    status = gmds_copy_pairs(&m->r_##i##_##j, m->cells[i].end, &all.relation[i][j]);
 #define GMDS__COPY_INLINE(i, j)                                                                          \
   if (status == GMDS_OK)                                                                                 \
     status = gmds_copy_inline(m->r_##i##_##j.data, GMDS__ARITY_##i, &m->cells[i].alive, m->cells[i].end, \
                               GMDS__CODED && i == 2 && j == 2 ? 2 : 0, &all.relation[i][j]);
   GMDS__EACH_POOLED(GMDS__COPY_ROWS)
+  GMDS__EACH_PAIRS(GMDS__COPY_PAIRS)
   GMDS__EACH_INLINE(GMDS__COPY_INLINE)
 #undef GMDS__COPY_ROWS
+#undef GMDS__COPY_PAIRS
 #undef GMDS__COPY_INLINE
   if (status == GMDS_OK)
     status = gmds_check_relations(&all, memory, error);

@@ -19,7 +19,7 @@ static inline void move_face(mesh *m, gmds_id from, gmds_id to)
     gmds_rows_replace(&m->r_0_2, row_2_0(m, to, &n)[k], from, to);
 #  endif
 #  if GMDS__S_1_2
-    gmds_rows_replace(&m->r_1_2, row_2_1(m, to, &n)[k], from, to);
+    gmds_pairs_replace(&m->r_1_2, row_2_1(m, to, &n)[k], from, to);
 #  endif
 #  if GMDS__S_2_2
     gmds_id entry = row_2_2(m, to, &n)[k];
@@ -52,13 +52,18 @@ static inline gmds_status compact(mesh *m, gmds_id *maps[3])
 #define GMDS__RENUMBER_ROWS(i, j) \
   if (map[i] || map[j])           \
     gmds_rows_renumber(&m->r_##i##_##j, m->cells[i].end, map[i], map[j]);
+#define GMDS__RENUMBER_PAIRS(i, j) \
+  if (map[i] || map[j])            \
+    gmds_pairs_renumber(&m->r_##i##_##j, m->cells[i].end, map[i], map[j]);
 #define GMDS__RENUMBER_INLINE(i, j)                                                                             \
   if (map[i] || map[j])                                                                                         \
     gmds_column_renumber(&m->r_##i##_##j, GMDS__ARITY_##i, &m->cells[i].alive, m->cells[i].end, map[i], map[j], \
                          GMDS__CODED &&i == 2 && j == 2);
     GMDS__EACH_POOLED(GMDS__RENUMBER_ROWS)
+    GMDS__EACH_PAIRS(GMDS__RENUMBER_PAIRS)
     GMDS__EACH_INLINE(GMDS__RENUMBER_INLINE)
 #undef GMDS__RENUMBER_ROWS
+#undef GMDS__RENUMBER_PAIRS
 #undef GMDS__RENUMBER_INLINE
     for (gmds_id v = map[0] ? next_0(m, (gmds_id)m->cells[0].count) : GMDS_NONE; v != GMDS_NONE; v = next_0(m, v + 1))
       memcpy(m->points + GMDS__DIM * (size_t)map[0][v], point(m, v), GMDS__DIM * sizeof *m->points);

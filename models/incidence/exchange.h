@@ -1,18 +1,8 @@
 /* From and to soups, and the checksum of a mesh. */
 
-static inline gmds_status add_soup_face(mesh *m, const gmds_soup *soup, size_t c, const gmds_id *node_of,
-                                        gmds_ids *list)
+static inline gmds_status add_soup_points(mesh *m, const gmds_soup *soup, gmds_error *error)
 {
   gmds_id id = 0;
-  list->n = 0;
-  for (size_t k = soup->begin[c]; k < soup->begin[c + 1]; k++)
-    GMDS_TRY(gmds_ids_push(list, node_of[soup->corners[k]]));
-  return add_face(m, list->n, list->data, &id);
-}
-
-static inline gmds_status fill_from_soup(mesh *m, const gmds_soup *soup, gmds_id *node_of, gmds_ids *list,
-                                         gmds_error *error)
-{
   GMDS_TRY(reserve(m, soup->n_points, 0, 0));
   for (size_t v = 0; v < soup->n_points; v++) {
     double x[3] = {0, 0, 0};
@@ -20,44 +10,88 @@ static inline gmds_status fill_from_soup(mesh *m, const gmds_soup *soup, gmds_id
     if (GMDS__DIM == 2 && soup->dim == 3 && x[2] != 0)
       return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "point %zu has a third coordinate, nodes of this model have two",
                        v);
-    GMDS_TRY(add_node(m, x, &node_of[v]));
+    GMDS_TRY(add_node(m, x, &id));
   }
+  return GMDS_OK;
+}
+
+/* Adds the faces of the soup, which has `n` of them with `n_corners` nodes in all; *failed is the cell to blame. */
+static inline gmds_status add_soup_faces(mesh *m, const gmds_soup *soup, size_t n, size_t n_corners, size_t *failed)
+{
+  if (n == soup->n_cells)
+    return n ? add_faces(m, n, soup->begin, soup->corners, failed) : GMDS_OK;
+  size_t face = 0;
+  void *begin_block = NULL, *nodes_block = NULL;
+  if (!gmds_resize(&m->memory, &begin_block, 0, n + 1, sizeof(size_t)))
+    return GMDS_ERR_MEMORY;
+  gmds_status status = GMDS_ERR_MEMORY;
+  if (gmds_resize(&m->memory, &nodes_block, 0, n_corners, sizeof(gmds_id))) {
+    size_t *begin = begin_block;
+    gmds_id *nodes = nodes_block;
+    begin[0] = 0;
+    for (size_t c = 0; c < soup->n_cells; c++)
+      if (gmds_cell_type_dimension((gmds_cell_type)soup->types[c]) == 2) {
+        size_t sides = soup->begin[c + 1] - soup->begin[c];
+        memcpy(nodes + begin[face], soup->corners + soup->begin[c], sides * sizeof *nodes);
+        begin[face + 1] = begin[face] + sides;
+        face++;
+      }
+    status = add_faces(m, n, begin, nodes, &face);
+    gmds_release(&m->memory, nodes, n_corners, sizeof(gmds_id));
+  }
+  gmds_release(&m->memory, begin_block, n + 1, sizeof(size_t));
+  for (size_t c = 0; status != GMDS_OK && c < soup->n_cells; c++)
+    if (gmds_cell_type_dimension((gmds_cell_type)soup->types[c]) == 2 && face-- == 0)
+      *failed = c;
+  return status;
+}
+
+/* The mesh is empty, so that points and nodes have the same numbers. */
+static inline gmds_status fill_from_soup(mesh *m, const gmds_soup *soup, size_t *failed, gmds_error *error)
+{
+  size_t n = 0, n_corners = 0;
+  GMDS_TRY(add_soup_points(m, soup, error));
   for (size_t c = 0; c < soup->n_cells; c++) {
     int dim = gmds_cell_type_dimension((gmds_cell_type)soup->types[c]);
-    gmds_status status = GMDS_OK;
-    if (dim == 2)
-      status = add_soup_face(m, soup, c, node_of, list);
-#if GMDS__LINKED_EDGES
-    gmds_id id = 0;
-    const gmds_id *ends = soup->corners + soup->begin[c];
-    if (dim == 1)
-      status = add_edge(m, node_of[ends[0]], node_of[ends[1]], &id);
-#endif
+    *failed = c;
     if (dim == 3)
-      status = GMDS_ERR_UNSUPPORTED;
-    if (status != GMDS_OK)
-      return gmds_fail(error, status, "cell %zu (%s): %s", c, gmds_cell_type_text((gmds_cell_type)soup->types[c]),
-                       gmds_status_text(status));
+      return GMDS_ERR_UNSUPPORTED;
+    n += dim == 2;
+    n_corners += dim == 2 ? soup->begin[c + 1] - soup->begin[c] : 0;
   }
+  *failed = soup->n_cells;
+  GMDS_TRY(add_soup_faces(m, soup, n, n_corners, failed));
+#if GMDS__LINKED_EDGES
+  for (size_t c = 0; c < soup->n_cells; c++) {
+    const gmds_id *ends = soup->corners + soup->begin[c];
+    gmds_id id = 0;
+    *failed = c;
+    if (gmds_cell_type_dimension((gmds_cell_type)soup->types[c]) == 1)
+      GMDS_TRY(add_edge(m, ends[0], ends[1], &id));
+  }
+#endif
   return GMDS_OK;
 }
 
 static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *error)
 {
+  size_t failed = soup->n_cells;
   if (m->cells[0].count || m->cells[1].count || m->cells[2].count)
     return gmds_fail(error, GMDS_ERR_ARGUMENT, "the mesh to be filled is not empty");
-  void *node_of = NULL;
-  gmds_ids list = {.memory = &m->memory};
-  gmds_status status = GMDS_ERR_MEMORY;
-  if (gmds_resize(&m->memory, &node_of, 0, soup->n_points, sizeof(gmds_id)))
-    status = fill_from_soup(m, soup, node_of, &list, error);
-  if (status == GMDS_ERR_MEMORY || status == GMDS_ERR_TOO_MANY)
+  gmds_error first = {.status = GMDS_OK}; /* a sentence about a point, if there is one */
+  gmds_status status = fill_from_soup(m, soup, &failed, &first);
+  if (status == GMDS_OK)
+    return GMDS_OK;
+  empty(m);
+  if (first.status != GMDS_OK) {
+    if (error)
+      *error = first;
+  } else if (status == GMDS_ERR_MEMORY || status == GMDS_ERR_TOO_MANY || failed >= soup->n_cells)
     gmds_fail(error, status, "a mesh of %zu points and %zu cells: %s", soup->n_points, soup->n_cells,
               gmds_status_text(status));
-  gmds_ids_clear(&list);
-  gmds_release(&m->memory, node_of, node_of ? soup->n_points : 0, sizeof(gmds_id));
-  if (status != GMDS_OK)
-    empty(m);
+  else
+    gmds_fail(error, status, "cell %zu (%s): %s", failed, gmds_cell_type_text((gmds_cell_type)soup->types[failed]),
+              gmds_status_text(status));
   return status;
 }
 

@@ -20,7 +20,7 @@ static inline gmds_id find_edge(const mesh *m, gmds_id a, gmds_id b)
   for (size_t k = 0; k < n; k++) {
 #    if GMDS__S_1_0
     const gmds_id *ends = m->r_1_0.data + 2 * (size_t)row[k];
-    if (ends[0] == to || ends[1] == to)
+    if ((ends[0] == to) | (ends[1] == to))
       return row[k];
 #    else
     if (gmds_rows_find(&m->r_0_1, to, row[k]) != GMDS_NONE)
@@ -35,14 +35,34 @@ static inline gmds_id find_edge(const mesh *m, gmds_id a, gmds_id b)
 #endif
 
 #if GMDS__FINDS_FACES
-/* Puts the faces on the side from a to b into `out`; e is the edge there (GMDS_NONE: none, or not known). */
+/* Puts the faces on the side from a to b into `out`; e is the edge there where edges and nodes are linked (GMDS_NONE:
+ * there is none). */
 static inline gmds_status faces_at_side(const mesh *m, gmds_id a, gmds_id b, gmds_id e, gmds_ids *out)
 {
   out->n = 0;
   (void)a;
   (void)b;
   (void)e;
-#  if (GMDS__S_0_2 || (GMDS__S_2_0 && !(GMDS__LINKED_EDGES && GMDS__S_1_2))) && GMDS__KNOWS_SIDES
+#  if GMDS__LINKED_EDGES && (GMDS__S_1_2 || !((GMDS__S_0_2 || GMDS__S_2_0) && GMDS__KNOWS_SIDES))
+  if (e == GMDS_NONE)
+    return GMDS_OK;
+  GMDS_TRY(gmds_ids_push(out, e));
+  GMDS_TRY(hop_1_2(m, out, 0, 1));
+  out->n--;
+  memmove(out->data, out->data + 1, out->n * sizeof *out->data);
+#  elif GMDS__S_0_2
+  gmds_id from = m->r_0_2.length[a] < m->r_0_2.length[b] ? a : b, to = from == a ? b : a;
+  size_t n = 0;
+  const gmds_id *row = gmds_rows_get(&m->r_0_2, from, &n);
+  (void)to;
+  for (size_t k = 0; k < n; k++)
+#    if GMDS__SIMPLICIAL
+    if (gmds_rows_find(&m->r_0_2, to, row[k]) != GMDS_NONE)
+#    else
+    if (has_side(m, row[k], a, b))
+#    endif
+      GMDS_TRY(gmds_ids_push(out, row[k]));
+#  else
   GMDS_TRY(gmds_ids_push(out, a));
   GMDS_TRY(gmds_ids_push(out, b));
   GMDS_TRY(meet_0_2(m, out, 0, 2, 2));
@@ -55,13 +75,6 @@ static inline gmds_status faces_at_side(const mesh *m, gmds_id a, gmds_id b, gmd
     out->data[kept++] = out->data[i];
   }
   out->n = kept;
-#  else
-  if (e == GMDS_NONE)
-    return GMDS_OK;
-  GMDS_TRY(gmds_ids_push(out, e));
-  GMDS_TRY(hop_1_2(m, out, 0, 1));
-  out->n--;
-  memmove(out->data, out->data + 1, out->n * sizeof *out->data);
 #  endif
   return GMDS_OK;
 }
@@ -110,6 +123,57 @@ static inline gmds_status edge_of_faces(const mesh *m, gmds_id a, gmds_id b, con
 }
 #endif
 
+#if GMDS_ACROSS && !GMDS__CODED
+/* The number of the side of face g that face f has as its side k, from a to b; g has it. By the edge where faces keep
+ * edges and no nodes. */
+static inline unsigned arrival_at(const mesh *m, gmds_id f, unsigned k, gmds_id a, gmds_id b, gmds_id g)
+{
+  size_t n = 0;
+  (void)n;
+  (void)f;
+  (void)k;
+  (void)a;
+  (void)b;
+#  if !GMDS__S_2_0
+  const gmds_id edge = row_2_1(m, f, &n)[k], *row = row_2_1(m, g, &n);
+  unsigned side = 0;
+  while (row[side] != edge)
+    side++;
+  return side;
+#  elif GMDS__SIMPLICIAL && GMDS__INLINE
+  const gmds_id *v = row_2_0(m, g, &n); /* the side after the node that is neither a nor b */
+  return v[1] != a && v[1] != b ? 2 : v[2] != a && v[2] != b ? 0 : 1;
+#  else
+  return (unsigned)find_side(m, g, a, b);
+#  endif
+}
+
+#  if !GMDS__S_2_2 && !(GMDS__S_1_2 && (GMDS__S_2_1 || GMDS__S_0_1))
+/* Whether face g, one of those at one end of side k of face f, has that side: the other end is `to`. */
+static inline int has_side_to(const mesh *m, gmds_id f, unsigned k, gmds_id from, gmds_id to, gmds_id g)
+{
+  size_t n = 0;
+  (void)n;
+  (void)f;
+  (void)k;
+  (void)from;
+  (void)to;
+#    if GMDS__INLINE && !GMDS__S_2_0
+  const gmds_id edge = row_2_1(m, f, &n)[k], *row = row_2_1(m, g, &n);
+  int has = 0;
+  for (size_t i = 0; i < GMDS__SIDES; i++)
+    has |= row[i] == edge;
+  return has;
+#    elif GMDS__SIMPLICIAL && GMDS__INLINE
+  const gmds_id *v = row_2_0(m, g, &n);
+  return (v[0] == to) | (v[1] == to) | (v[2] == to);
+#    else
+  return find_side(m, g, from, to) != GMDS_NONE;
+#    endif
+}
+#  endif
+#endif
+
 #if GMDS_ACROSS
 static inline gmds_id across(const mesh *m, gmds_id f, unsigned k, unsigned *arrival)
 {
@@ -119,7 +183,13 @@ static inline gmds_id across(const mesh *m, gmds_id f, unsigned k, unsigned *arr
   *arrival = entry & 3;
   return entry == GMDS_NONE ? GMDS_NONE : entry >> 2;
 #  else
-  gmds_id a = face_node(m, f, k), b = face_node(m, f, k + 1 < face_sides(m, f) ? k + 1 : 0), g = GMDS_NONE;
+#    if GMDS__S_2_0
+  gmds_id a = face_node(m, f, k), b = face_node(m, f, k + 1 < face_sides(m, f) ? k + 1 : 0);
+#    else
+  const gmds_id *ends = m->r_1_0.data + 2 * (size_t)row_2_1(m, f, &n)[k];
+  gmds_id a = ends[0], b = ends[1];
+#    endif
+  gmds_id g = GMDS_NONE;
   (void)n;
 #    if GMDS__S_2_2
   g = row_2_2(m, f, &n)[k];
@@ -129,23 +199,24 @@ static inline gmds_id across(const mesh *m, gmds_id f, unsigned k, unsigned *arr
 #      else
   gmds_id edge = find_edge(m, a, b);
 #      endif
-  const gmds_id *faces = gmds_rows_get(&m->r_1_2, edge, &n);
+  const gmds_id *faces = gmds_pairs_get(&m->r_1_2, edge, &n);
   if (n == 2)
     g = faces[faces[0] == f];
 #    else
   /* the shorter of the rows of a and b: the node that stands for infinity has one as long as the hull */
-  gmds_id centre = m->r_0_2.length[a] < m->r_0_2.length[b] ? a : b;
-  const gmds_id *faces = gmds_rows_get(&m->r_0_2, centre, &n);
-  unsigned found = 0;
-  for (size_t i = 0; i < n; i++)
-    if (faces[i] != f && find_side(m, faces[i], a, b) != GMDS_NONE) {
-      g = faces[i];
-      found++;
-    }
+  gmds_id from = m->r_0_2.length[a] < m->r_0_2.length[b] ? a : b, to = from == a ? b : a;
+  const gmds_id *faces = gmds_rows_get(&m->r_0_2, from, &n);
+  gmds_id found = 0;
+  for (size_t i = 0; i < n;
+       i++) { /* to the end: there may be more than one; no branch, which one cannot be predicted */
+    gmds_id has = (gmds_id)((faces[i] != f) & has_side_to(m, f, k, from, to, faces[i]));
+    g ^= (g ^ faces[i]) & (0 - has);
+    found += has;
+  }
   if (found != 1)
     g = GMDS_NONE;
 #    endif
-  *arrival = g == GMDS_NONE ? 0 : (unsigned)find_side(m, g, a, b);
+  *arrival = g == GMDS_NONE ? 0 : arrival_at(m, f, k, a, b, g);
   return g;
 #  endif
 }

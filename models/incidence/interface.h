@@ -175,6 +175,62 @@ static inline gmds_status all_adj_2_1(const mesh *m, gmds_csr *csr);
 static inline gmds_status all_adj_2_2(const mesh *m, gmds_csr *csr);
 #endif
 
+/* ---- views: what a model stores, without copying. view_i_j gives the j-cells of a live i-cell (not checked) as they are
+ * stored, and how many in *n: the set of get_adj_i_j in no order, that of 2 -> 0 and 2 -> 1 by sides: node k, and the edge
+ * from node k to node k + 1. Valid until the mesh changes. Where all faces are triangles, the rows of faces f and f + 1
+ * follow each other, so that a loop over a column is one over an array.
+ * In models that store the relation (GMDS_VIEW(i, j)); elsewhere it does not compile, and says so. F2F has no view: its
+ * entries may be empty and carry a side; across() reads them. */
+#if GMDS_VIEW(0, 0)
+static inline const gmds_id *view_0_0(const mesh *m, gmds_id v, size_t *n);
+#else
+GMDS__NOT_STORED(0, 0) const gmds_id *view_0_0(const mesh *m, gmds_id v, size_t *n);
+#endif
+#if GMDS_VIEW(0, 1)
+static inline const gmds_id *view_0_1(const mesh *m, gmds_id v, size_t *n);
+#else
+GMDS__NOT_STORED(0, 1) const gmds_id *view_0_1(const mesh *m, gmds_id v, size_t *n);
+#endif
+#if GMDS_VIEW(0, 2)
+static inline const gmds_id *view_0_2(const mesh *m, gmds_id v, size_t *n);
+#else
+GMDS__NOT_STORED(0, 2) const gmds_id *view_0_2(const mesh *m, gmds_id v, size_t *n);
+#endif
+#if GMDS_VIEW(1, 0)
+static inline const gmds_id *view_1_0(const mesh *m, gmds_id e, size_t *n);
+#else
+GMDS__NOT_STORED(1, 0) const gmds_id *view_1_0(const mesh *m, gmds_id e, size_t *n);
+#endif
+#if GMDS_VIEW(1, 1)
+static inline const gmds_id *view_1_1(const mesh *m, gmds_id e, size_t *n);
+#else
+GMDS__NOT_STORED(1, 1) const gmds_id *view_1_1(const mesh *m, gmds_id e, size_t *n);
+#endif
+#if GMDS_VIEW(1, 2)
+static inline const gmds_id *view_1_2(const mesh *m, gmds_id e, size_t *n);
+#else
+GMDS__NOT_STORED(1, 2) const gmds_id *view_1_2(const mesh *m, gmds_id e, size_t *n);
+#endif
+#if GMDS_VIEW(2, 0)
+static inline const gmds_id *view_2_0(const mesh *m, gmds_id f, size_t *n);
+#else
+GMDS__NOT_STORED(2, 0) const gmds_id *view_2_0(const mesh *m, gmds_id f, size_t *n);
+#endif
+#if GMDS_VIEW(2, 1)
+static inline const gmds_id *view_2_1(const mesh *m, gmds_id f, size_t *n);
+#else
+GMDS__NOT_STORED(2, 1) const gmds_id *view_2_1(const mesh *m, gmds_id f, size_t *n);
+#endif
+GMDS__NO_VIEW const gmds_id *view_2_2(const mesh *m, gmds_id f, size_t *n);
+
+/* All edges of the faces, kept or not, with the nodes of each and the edges of each face (edges.h). Their numbers are the
+ * table's, not those of edges that the mesh keeps; edges without a face are not among them. The table is initialised and
+ * empty, its memory is the caller's. GMDS_OK, GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (it stays empty). O(mesh). In models
+ * that keep the order of a face's nodes, or hold triangles only. */
+#if GMDS_ORDERED_2_0 || (GMDS__CAN_2_0 && GMDS__SIMPLICIAL)
+static inline gmds_status all_edges(const mesh *m, gmds_edge_table *table);
+#endif
+
 /* ---- creation
 
  * New cells take the identifiers of deleted ones: constant time without holes, else a search of O(end / 64) at worst.
@@ -196,12 +252,18 @@ static inline gmds_status add_edge(mesh *m, gmds_id a, gmds_id b, gmds_id *id);
  * GMDS_OK; GMDS_ERR_ARGUMENT (n is not of the model's types, or a node occurs twice); GMDS_ERR_CELL (a node that does
  * not exist); GMDS_ERR_CONFLICT (F2F holds two faces a side, this would be the third); GMDS_ERR_UNSUPPORTED (the model
  * has no way to find what is at a side, GMDS_ADDS_FACES is 0: use add_face_linked); GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY.
- * Local where the model finds faces and edges locally, else a traversal a side. */
+ * Local where the model finds faces and edges locally (GMDS_ADDS_LOCALLY is 1), else a traversal a side. */
 static inline gmds_status add_face(mesh *m, size_t n, const gmds_id *nodes, gmds_id *id);
 static inline gmds_status add_triangle(mesh *m, gmds_id a, gmds_id b, gmds_id c, gmds_id *id);
 static inline gmds_status add_quadrilateral(mesh *m, gmds_id a, gmds_id b, gmds_id c, gmds_id d, gmds_id *id);
 
-/* The same when the caller knows what is at the sides: nothing is looked up, in any model. What it says is believed;
+/* Many faces at once, in time linear in their sides whatever the model: face f has the nodes nodes[begin[f]] to
+ * nodes[begin[f + 1] - 1], or three of them where begin is NULL. In a mesh that holds no edge and no face, so that they
+ * get the identifiers 0 to n - 1. As n times add_face, and GMDS_ERR_ARGUMENT where there are edges or faces already;
+ * *failed, if not NULL, is the face that could not be added, or n where none is to blame. */
+static inline gmds_status add_faces(mesh *m, size_t n, const size_t *begin, const gmds_id *nodes, size_t *failed);
+
+/* add_face when the caller knows what is at the sides: nothing is looked up, in any model. What it says is believed;
  * F2F still refuses a third face. links NULL: as add_face. */
 static inline gmds_status add_face_linked(mesh *m, size_t n, const gmds_id *nodes, const gmds_links *links,
                                           gmds_id *id);
@@ -271,7 +333,7 @@ static inline void star_of(mesh *m, gmds_id apex, size_t n_faces, const gmds_cav
 static inline gmds_status check(const mesh *m, gmds_memory *memory, gmds_error *error);
 
 /* Fills an empty mesh from a soup: its points become nodes in their order, its faces faces; edges are added where the
- * model can hold them. GMDS_OK or any status of add_node, add_edge and add_face (`error` names the cell; the mesh is
+ * model can hold them. Faces take linear time in any model, edges that no face has that of add_edge. GMDS_OK or any status of add_node, add_edge and add_face (`error` names the cell; the mesh is
  * empty, its attributes stay); GMDS_ERR_UNSUPPORTED for volumes and for a third coordinate that is not 0 in a model of two. */
 static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *error);
 

@@ -50,6 +50,9 @@ static inline gmds_id face_of(gmds_id entry)
 #define GMDS__SCAN_ROWS(i, j)                                                   \
   m->borrowed[j][i].begin ? gmds_hop_csr(&m->borrowed[j][i], list, first, last) \
                           : gmds_scan_rows(&m->r_##i##_##j, m->cells[i].end, list, first, last)
+#define GMDS__SCAN_PAIRS(i, j)                                                  \
+  m->borrowed[j][i].begin ? gmds_hop_csr(&m->borrowed[j][i], list, first, last) \
+                          : gmds_scan_pairs(&m->r_##i##_##j, m->cells[i].end, list, first, last)
 #define GMDS__SCAN_INLINE(i, j)                             \
   m->borrowed[j][i].begin                                   \
       ? gmds_hop_csr(&m->borrowed[j][i], list, first, last) \
@@ -106,7 +109,7 @@ static inline gmds_status hop_2_0(const mesh *m, gmds_ids *list, size_t first, s
 static inline gmds_status hop_1_2(const mesh *m, gmds_ids *list, size_t first, size_t last)
 {
 #  if GMDS__S_1_2
-  return gmds_hop_rows(&m->r_1_2, list, first, last);
+  return gmds_hop_pairs(&m->r_1_2, list, first, last);
 #  else
   return GMDS__SCAN_FACES(1);
 #  endif
@@ -117,11 +120,12 @@ static inline gmds_status hop_2_1(const mesh *m, gmds_ids *list, size_t first, s
 #  if GMDS__S_2_1
   return GMDS__HOP_OF_FACE(1);
 #  else
-  return GMDS__SCAN_ROWS(1, 2);
+  return GMDS__SCAN_PAIRS(1, 2);
 #  endif
 }
 #endif
 #undef GMDS__SCAN_ROWS
+#undef GMDS__SCAN_PAIRS
 #undef GMDS__SCAN_INLINE
 #undef GMDS__HOP_OF_FACE
 #undef GMDS__SCAN_FACES

@@ -155,7 +155,7 @@ static inline void unlink_face(mesh *m, gmds_id f, size_t n, size_t n_edges)
 #if GMDS__MAKES_EDGES
   for (size_t k = 0; k < n_edges; k++) {
 #  if GMDS__S_1_2
-    gmds_rows_remove(&m->r_1_2, edges[k], f);
+    gmds_pairs_remove(&m->r_1_2, edges[k], f);
 #  endif
     if (goes[k]) {
       gmds_id ends[2] = {GMDS_NONE, GMDS_NONE};

@@ -55,9 +55,11 @@ static inline gmds_status plan_star(mesh *m, size_t n_faces, const gmds_cavity_f
 #  if GMDS__MAKES_EDGES
   GMDS_TRY(gmds_ids_reserve(&m->plan, 2 * n_sides));
   for (size_t i = 0; i < n_sides; i++) {
-    const gmds_cavity_side *s = &sides[i];
     gmds_id edge = GMDS_NONE;
+#    if GMDS__S_1_2 || GMDS__S_2_1 /* else no relation of these edges changes */
+    const gmds_cavity_side *s = &sides[i];
     GMDS_TRY(edge_at(m, faces[s->in].face, (faces[s->in].side + s->in_side) % 3, s->a, s->b, s->out, &edge));
+#    endif
     m->plan.data[m->plan.n++] = edge;
   }
   for (size_t j = 1; j < n_faces; j++) {
@@ -119,10 +121,6 @@ static inline gmds_status take_star(mesh *m, size_t n_faces, size_t n_sides, gmd
   while (m->plan.n < 2 * n_sides) {
     gmds_id e = gmds_cells_take(&m->cells[1]);
     m->plan.data[m->plan.n++] = e;
-#    if GMDS__S_1_2
-    if (status == GMDS_OK)
-      status = gmds_rows_reserve(&m->r_1_2, &m->memory, e, 2);
-#    endif
   }
 #  endif
   if (status == GMDS_OK) {
@@ -210,10 +208,10 @@ static inline void star_edge(mesh *m, gmds_id apex, size_t i, size_t n_sides, co
   gmds_rows_push(&m->r_0_1, apex, e);
 #    endif
 #    if GMDS__S_1_2
-  gmds_rows_empty(&m->r_1_2, e);
-  gmds_rows_push(&m->r_1_2, e, ids[i > 0 ? i - 1 : n_sides - 1]);
-  gmds_rows_push(&m->r_1_2, e, ids[i]);
-  gmds_rows_replace(&m->r_1_2, on_boundary, faces[sides[i].in].face, ids[i]);
+  gmds_pairs_empty(&m->r_1_2, e);
+  gmds_pairs_push(&m->r_1_2, e, ids[i > 0 ? i - 1 : n_sides - 1]);
+  gmds_pairs_push(&m->r_1_2, e, ids[i]);
+  gmds_pairs_replace(&m->r_1_2, on_boundary, faces[sides[i].in].face, ids[i]);
 #    endif
 #  endif
 }

@@ -1,6 +1,8 @@
 /* The structure of a mesh: one column for each stored relation, nothing for the others; its life and its growth. */
 
-/* Lists of the stored relations, by the way they are stored. X(i, j) for sets, X(i, j, sides) for rows of faces. */
+/* Lists of the stored relations, by the way they are stored:
+ *   set       rows of a pool, in no order      ordered   rows of a pool, an entry a side
+ *   pairs     two inline as a rule (E2F)       inline    columns of fixed arity */
 #if GMDS__S_0_0
 #  define GMDS__IF_0_0(x) x
 #else
@@ -46,8 +48,8 @@
 #else
 #  define GMDS__IF_2_2(x)
 #endif
-#define GMDS__EACH_SET(X) \
-  GMDS__IF_0_0(X(0, 0)) GMDS__IF_0_1(X(0, 1)) GMDS__IF_0_2(X(0, 2)) GMDS__IF_1_1(X(1, 1)) GMDS__IF_1_2(X(1, 2))
+#define GMDS__EACH_SET(X) GMDS__IF_0_0(X(0, 0)) GMDS__IF_0_1(X(0, 1)) GMDS__IF_0_2(X(0, 2)) GMDS__IF_1_1(X(1, 1))
+#define GMDS__EACH_PAIRS(X) GMDS__IF_1_2(X(1, 2))
 #define GMDS__EACH_OF_FACES(X) GMDS__IF_2_0(X(2, 0)) GMDS__IF_2_1(X(2, 1)) GMDS__IF_2_2(X(2, 2))
 #if GMDS__INLINE
 #  define GMDS__EACH_INLINE(X) GMDS__IF_1_0(X(1, 0)) GMDS__EACH_OF_FACES(X)
@@ -61,6 +63,7 @@
 #define GMDS__ARITY_2 GMDS__SIDES
 
 #define GMDS__ROWS_FIELD(i, j) gmds_rows r_##i##_##j;
+#define GMDS__PAIRS_FIELD(i, j) gmds_pairs r_##i##_##j;
 #define GMDS__INLINE_FIELD(i, j) gmds_column r_##i##_##j;
 
 struct mesh {
@@ -69,11 +72,13 @@ struct mesh {
   double *points;         /* GMDS__DIM coordinates a node */
   size_t points_capacity; /* in nodes */
   GMDS__EACH_POOLED(GMDS__ROWS_FIELD)
+  GMDS__EACH_PAIRS(GMDS__PAIRS_FIELD)
   GMDS__EACH_INLINE(GMDS__INLINE_FIELD)
   gmds_ids plan, found;    /* scratch space of operations that change the mesh */
   gmds_csr borrowed[3][3]; /* relations lent to queries of the whole mesh in place of traversals; empty otherwise */
 };
 #undef GMDS__ROWS_FIELD
+#undef GMDS__PAIRS_FIELD
 #undef GMDS__INLINE_FIELD
 
 static inline gmds_status mesh_init(mesh *m, const gmds_allocator *allocator)
@@ -87,11 +92,14 @@ static inline gmds_status mesh_init(mesh *m, const gmds_allocator *allocator)
   m->cells[2].limit = GMDS_NONE / 4; /* an entry may carry a side, and high values mark entries in passing */
 #endif
 #define GMDS__INIT_SET(i, j) gmds_rows_init(&m->r_##i##_##j, 0);
+#define GMDS__INIT_PAIRS(i, j) gmds_pairs_init(&m->r_##i##_##j);
 #define GMDS__INIT_ORDERED(i, j) gmds_rows_init(&m->r_##i##_##j, 1);
   GMDS__EACH_SET(GMDS__INIT_SET)
   GMDS__EACH_ORDERED(GMDS__INIT_ORDERED)
+  GMDS__EACH_PAIRS(GMDS__INIT_PAIRS)
 #undef GMDS__INIT_SET
 #undef GMDS__INIT_ORDERED
+#undef GMDS__INIT_PAIRS
   gmds_ids_init(&m->plan, &m->memory);
   gmds_ids_init(&m->found, &m->memory);
   return GMDS_OK;
@@ -100,10 +108,13 @@ static inline gmds_status mesh_init(mesh *m, const gmds_allocator *allocator)
 static inline void empty(mesh *m)
 {
 #define GMDS__CLEAR_ROWS(i, j) gmds_rows_clear(&m->r_##i##_##j, &m->memory);
+#define GMDS__CLEAR_PAIRS(i, j) gmds_pairs_clear(&m->r_##i##_##j, &m->memory);
 #define GMDS__CLEAR_INLINE(i, j) gmds_column_clear(&m->r_##i##_##j, &m->memory);
   GMDS__EACH_POOLED(GMDS__CLEAR_ROWS)
+  GMDS__EACH_PAIRS(GMDS__CLEAR_PAIRS)
   GMDS__EACH_INLINE(GMDS__CLEAR_INLINE)
 #undef GMDS__CLEAR_ROWS
+#undef GMDS__CLEAR_PAIRS
 #undef GMDS__CLEAR_INLINE
   gmds_release(&m->memory, m->points, m->points_capacity, GMDS__DIM * sizeof(double));
   m->points = NULL;
@@ -139,12 +150,17 @@ static inline gmds_status resize_columns(mesh *m, int i, size_t capacity)
 #define GMDS__RESIZE_ROWS(a, b) \
   if (i == a)                   \
     GMDS_TRY(gmds_rows_resize(&m->r_##a##_##b, &m->memory, capacity));
+#define GMDS__RESIZE_PAIRS(a, b) \
+  if (i == a)                    \
+    GMDS_TRY(gmds_pairs_resize(&m->r_##a##_##b, &m->memory, capacity));
 #define GMDS__RESIZE_INLINE(a, b) \
   if (i == a)                     \
     GMDS_TRY(gmds_column_resize(&m->r_##a##_##b, &m->memory, GMDS__ARITY_##a *capacity));
   GMDS__EACH_POOLED(GMDS__RESIZE_ROWS)
+  GMDS__EACH_PAIRS(GMDS__RESIZE_PAIRS)
   GMDS__EACH_INLINE(GMDS__RESIZE_INLINE)
 #undef GMDS__RESIZE_ROWS
+#undef GMDS__RESIZE_PAIRS
 #undef GMDS__RESIZE_INLINE
   return gmds_cells_resize(&m->cells[i], capacity);
 }
@@ -170,8 +186,11 @@ static inline gmds_status trim(mesh *m)
   for (int i = 0; i < 3; i++)
     GMDS_TRY(resize_columns(m, i, m->cells[i].end));
 #define GMDS__TRIM_ROWS(i, j) GMDS_TRY(gmds_rows_trim(&m->r_##i##_##j, &m->memory));
+#define GMDS__TRIM_PAIRS(i, j) GMDS_TRY(gmds_pairs_trim(&m->r_##i##_##j, &m->memory));
   GMDS__EACH_POOLED(GMDS__TRIM_ROWS)
+  GMDS__EACH_PAIRS(GMDS__TRIM_PAIRS)
 #undef GMDS__TRIM_ROWS
+#undef GMDS__TRIM_PAIRS
   return GMDS_OK;
 }
 

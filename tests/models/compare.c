@@ -70,6 +70,70 @@ static void compare_query(subject *s, int i, int j)
   gmds_csr_clear(&csr);
 }
 
+/* A view shows what the queries answer: the same set, in the order of the sides where it is a face's. */
+static void compare_views(subject *s)
+{
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++)
+      for (gmds_id c = 0; s->m->view[i][j] && c < s->ref.end[i]; c++) {
+        size_t n = 0;
+        if (!reference_has(&s->ref, i, c))
+          continue;
+        const gmds_id *row = s->m->do_view(s->mesh, i, j, c, &n);
+        compare_answer(s, i, j, c, row, n, "view");
+      }
+}
+
+/* The table of edges has each side of the faces once, in order, and in the row of each face the edges of its sides: of
+ * side k where the model keeps the order, else of some side. */
+static void compare_edges(subject *s)
+{
+  const reference *r = &s->ref;
+  gmds_edge_table t;
+  size_t sides = 0, n = 0;
+  gmds_edge_table_init(&t, &s->memory);
+  if (s->m->do_all_edges(s->mesh, &t) != GMDS_OK || t.n_faces != s->m->do_cells(s->mesh)[2].end)
+    subject_fail(s, "the table of edges has %zu faces", t.n_faces);
+  for (size_t e = 0; e < t.n; e++) {
+    gmds_id a = t.nodes[2 * e], b = t.nodes[2 * e + 1];
+    answer on;
+    reference_faces_on(r, a, b, &on);
+    if (a >= b || !on.n)
+      subject_fail(s, "edge %zu of the table, from %lu to %lu, is no side", e, (unsigned long)a, (unsigned long)b);
+    for (size_t other = 0; other < e; other++)
+      if (t.nodes[2 * other] > a || (t.nodes[2 * other] == a && t.nodes[2 * other + 1] == b))
+        subject_fail(s, "edge %zu of the table comes after, or is, edge %zu", other, e);
+  }
+  for (gmds_id f = 0; f < t.n_faces; f++) {
+    const gmds_id *row = gmds_edge_table_row(&t, f, &n);
+    const reference_face *face = &r->faces[f];
+    if (!face->alive) {
+      for (size_t k = 0; k < n; k++)
+        if (row[k] != GMDS_NONE)
+          subject_fail(s, "face %lu of the table is not alive, and has edges", (unsigned long)f);
+      continue;
+    }
+    sides += n;
+    if (n != face->n)
+      subject_fail(s, "face %lu of the table has %zu edges", (unsigned long)f, n);
+    for (size_t k = 0; k < n; k++) {
+      gmds_id a = t.nodes[2 * row[k]], b = t.nodes[2 * row[k] + 1];
+      gmds_id p = face->nodes[k], q = face->nodes[(k + 1) % n];
+      int right = s->m->ordered ? (a == p && b == q) || (a == q && b == p) : reference_has_side(r, f, a, b);
+      for (size_t before = 0; before < k; before++)
+        right &= row[before] != row[k];
+      if (row[k] >= t.n || !right)
+        subject_fail(s, "side %zu of face %lu is edge %lu of the table", k, (unsigned long)f, (unsigned long)row[k]);
+    }
+  }
+  size_t expected = 0;
+  for (gmds_id f = 0; f < r->end[2]; f++)
+    expected += r->faces[f].alive ? r->faces[f].n : 0;
+  if (sides != expected)
+    subject_fail(s, "the table has %zu sides, expected %zu", sides, expected);
+  gmds_edge_table_clear(&t);
+}
+
 /* across() names the one other face on a side and the number of the side there, or nothing. */
 static void compare_across(subject *s)
 {
@@ -104,6 +168,9 @@ void subject_compare(subject *s)
     for (int j = 0; j < 3; j++)
       if (s->m->can[i][j])
         compare_query(s, i, j);
+  compare_views(s);
+  if (s->m->do_all_edges)
+    compare_edges(s);
   if (s->m->crosses)
     compare_across(s);
   gmds_error error = {0};

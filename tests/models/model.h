@@ -5,6 +5,7 @@
 
 #include <gmds/cells.h>
 #include <gmds/delaunay.h>
+#include <gmds/edges.h>
 #include <gmds/hops.h>
 #include <gmds/rows.h>
 #include <gmds/soup.h>
@@ -13,6 +14,7 @@
 /* How the entries of one stored relation lie in memory. */
 typedef struct stored_relation {
   gmds_rows *rows;     /* in pooled rows, or */
+  gmds_pairs *pairs;   /* two inline as a rule, or */
   gmds_column *column; /* inline, `arity` entries a cell */
   size_t arity;
   int coded; /* entries are 4 * face + side */
@@ -33,8 +35,9 @@ typedef struct model {
   unsigned faces; /* the bits of GMDS_FACE_TYPE_LIST that it holds */
   int dim;
   size_t bytes; /* of a mesh */
-  int path[3][3], can[3][3];
+  int path[3][3], can[3][3], view[3][3];
   int ordered, crosses; /* GMDS_ORDERED_2_0, GMDS_ACROSS */
+  int adds_locally;     /* GMDS_ADDS_LOCALLY */
   void (*do_init)(void *m, const gmds_allocator *allocator);
   void (*do_clear)(void *m);
   gmds_cells *(*do_cells)(void *m); /* three of them */
@@ -42,10 +45,13 @@ typedef struct model {
   const double *(*do_point)(const void *m, gmds_id v);
   gmds_status (*do_query)(const void *m, int i, int j, gmds_id c, gmds_ids *out);
   gmds_status (*do_bulk)(const void *m, int i, int j, gmds_csr *csr);
+  const gmds_id *(*do_view)(const void *m, int i, int j, gmds_id c, size_t *n);
+  gmds_status (*do_all_edges)(const void *m, gmds_edge_table *table); /* NULL where a face's sides are not known */
   gmds_id (*do_across)(const void *m, gmds_id f, unsigned k, unsigned *arrival);
   gmds_status (*do_add_node)(void *m, const double *x, gmds_id *id);
   gmds_status (*do_add_edge)(void *m, gmds_id a, gmds_id b, gmds_id *id); /* NULL where edges know no nodes */
   gmds_status (*do_add_face)(void *m, size_t n, const gmds_id *nodes, const gmds_links *links, gmds_id *id);
+  gmds_status (*do_add_faces)(void *m, size_t n, const size_t *begin, const gmds_id *nodes, size_t *failed);
   gmds_status (*do_remove_face)(void *m, gmds_id f, gmds_edges edges);
   gmds_status (*do_remove_edge)(void *m, gmds_id e, gmds_around around); /* NULL where there are no edges */
   gmds_status (*do_remove_node)(void *m, gmds_id v, gmds_around around);

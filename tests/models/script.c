@@ -43,6 +43,74 @@ void script_grid(subject *s, gmds_id w, gmds_id h, int kind)
     }
 }
 
+void script_list(const subject *s, face_list *list)
+{
+  list->n = list->begin[0] = 0;
+  for (gmds_id f = 0; f < s->ref.end[2]; f++) {
+    const reference_face *face = &s->ref.faces[f];
+    if (!face->alive)
+      continue;
+    memcpy(list->nodes + list->begin[list->n], face->nodes, face->n * sizeof *face->nodes);
+    list->begin[list->n + 1] = list->begin[list->n] + face->n;
+    list->n++;
+  }
+}
+
+/* Where edges know no nodes, which edge of the mesh is which of the reference: by the sides of the faces where they keep
+ * edges in order, else one with the same faces. */
+static void match_edges(subject *s)
+{
+  static reference_edge edges[MAX_EDGES];
+  reference *r = &s->ref;
+  answer faces, found = {0};
+  memcpy(edges, r->edges, sizeof edges);
+  for (gmds_id e = 0; e < r->end[1]; e++)
+    r->edges[e].alive = 0;
+  for (gmds_id f = 0; s->m->ordered && stores(s->m, 2, 1) && f < r->end[2]; f++) {
+    ck_assert_int_eq(s->m->do_query(s->mesh, 2, 1, f, &s->list), GMDS_OK);
+    for (size_t k = 0; k < r->faces[f].n; k++)
+      r->edges[s->list.data[k]] =
+          (reference_edge){1, r->faces[f].nodes[k], r->faces[f].nodes[(k + 1) % r->faces[f].n], 0};
+  }
+  for (gmds_id e = 0; s->m->can[1][2] && e < r->end[1]; e++) {
+    ck_assert_int_eq(s->m->do_query(s->mesh, 1, 2, e, &s->list), GMDS_OK);
+    found.n = s->list.n;
+    memcpy(found.data, s->list.data, found.n * sizeof *found.data);
+    answer_sort(&found);
+    for (gmds_id x = 0; !r->edges[e].alive && x < r->end[1]; x++) {
+      reference_faces_on(r, edges[x].a, edges[x].b, &faces);
+      if (edges[x].alive && answer_equal(&faces, &found)) {
+        r->edges[e] = edges[x];
+        edges[x].alive = 0;
+      }
+    }
+  }
+  const int64_t *tags = gmds_attribute_find(&s->m->do_cells(s->mesh)[1], "tag")->data;
+  for (gmds_id e = 0; e < r->end[1]; e++)
+    r->edges[e].tag = tags[e];
+}
+
+gmds_status script_at_once(subject *s, const subject *like, const face_list *list, size_t *failed)
+{
+  gmds_status status;
+  begin_attempts(s);
+  do
+    status = s->m->do_add_faces(s->mesh, list->n, list->begin, list->nodes, failed);
+  while (again(s, status));
+  if (status != GMDS_OK)
+    return status;
+  gmds_cells *cells = s->m->do_cells(s->mesh);
+  const gmds_cells *source = s->m->do_cells(like->mesh);
+  s->ref = like->ref;
+  for (int i = 0; i < 3; i++)
+    if (s->ref.end[i] && s->ref.end[i] <= cells[i].end) /* else the comparison says it */
+      memcpy(gmds_attribute_find(&cells[i], "tag")->data, gmds_attribute_find(&source[i], "tag")->data,
+             s->ref.end[i] * sizeof(int64_t));
+  if (makes_edges(s->m) && !links_edges(s->m))
+    match_edges(s);
+  return status;
+}
+
 void script_face(subject *s)
 {
   static const size_t sizes[] = {3, 3, 3, 4, 4, 5, 6};

@@ -119,6 +119,56 @@ static gmds_status GMDS_FN(do_bulk)(const void *m, int i, int j, gmds_csr *csr)
   }
 }
 
+static const gmds_id *GMDS_FN(do_view)(const void *m, int i, int j, gmds_id c, size_t *n)
+{
+  (void)m;
+  (void)c;
+  (void)n;
+  switch (3 * i + j) {
+#if GMDS_VIEW(0, 0)
+  case 0:
+    return view_0_0(m, c, n);
+#endif
+#if GMDS_VIEW(0, 1)
+  case 1:
+    return view_0_1(m, c, n);
+#endif
+#if GMDS_VIEW(0, 2)
+  case 2:
+    return view_0_2(m, c, n);
+#endif
+#if GMDS_VIEW(1, 0)
+  case 3:
+    return view_1_0(m, c, n);
+#endif
+#if GMDS_VIEW(1, 1)
+  case 4:
+    return view_1_1(m, c, n);
+#endif
+#if GMDS_VIEW(1, 2)
+  case 5:
+    return view_1_2(m, c, n);
+#endif
+#if GMDS_VIEW(2, 0)
+  case 6:
+    return view_2_0(m, c, n);
+#endif
+#if GMDS_VIEW(2, 1)
+  case 7:
+    return view_2_1(m, c, n);
+#endif
+  default:
+    return NULL;
+  }
+}
+
+#if GMDS_ORDERED_2_0 || (GMDS_CAN(2, 0) && GMDS__SIMPLICIAL)
+static gmds_status GMDS_FN(do_all_edges)(const void *m, gmds_edge_table *table)
+{
+  return all_edges(m, table);
+}
+#endif
+
 static gmds_id GMDS_FN(do_across)(const void *m, gmds_id f, unsigned k, unsigned *arrival)
 {
 #if GMDS_ACROSS
@@ -147,6 +197,11 @@ static gmds_status GMDS_FN(do_add_edge)(void *m, gmds_id a, gmds_id b, gmds_id *
 static gmds_status GMDS_FN(do_add_face)(void *m, size_t n, const gmds_id *nodes, const gmds_links *links, gmds_id *id)
 {
   return links ? add_face_linked(m, n, nodes, links, id) : add_face(m, n, nodes, id);
+}
+
+static gmds_status GMDS_FN(do_add_faces)(void *m, size_t n, const size_t *begin, const gmds_id *nodes, size_t *failed)
+{
+  return add_faces(m, n, begin, nodes, failed);
 }
 
 static gmds_status GMDS_FN(do_remove_face)(void *m, gmds_id f, gmds_edges edges)
@@ -184,19 +239,24 @@ static gmds_status GMDS_FN(do_check)(const void *m, gmds_memory *memory, gmds_er
 static stored_relation GMDS_FN(do_stored)(void *m, int i, int j)
 {
   mesh *own = m;
-  stored_relation s = {NULL, NULL, 0, GMDS__CODED && i == 2 && j == 2};
+  stored_relation s = {NULL, NULL, NULL, 0, GMDS__CODED && i == 2 && j == 2};
   (void)own;
 #define TEST_ROWS(a, b) \
   if (i == a && j == b) \
     s.rows = &own->r_##a##_##b;
+#define TEST_PAIRS(a, b) \
+  if (i == a && j == b)  \
+    s.pairs = &own->r_##a##_##b;
 #define TEST_COLUMN(a, b)         \
   if (i == a && j == b) {         \
     s.column = &own->r_##a##_##b; \
     s.arity = GMDS__ARITY_##a;    \
   }
   GMDS__EACH_POOLED(TEST_ROWS)
+  GMDS__EACH_PAIRS(TEST_PAIRS)
   GMDS__EACH_INLINE(TEST_COLUMN)
 #undef TEST_ROWS
+#undef TEST_PAIRS
 #undef TEST_COLUMN
   return s;
 }
@@ -269,12 +329,21 @@ const model GMDS_FN(table) = {
     .do_point = GMDS_FN(do_point),
     .do_query = GMDS_FN(do_query),
     .do_bulk = GMDS_FN(do_bulk),
+    .view = {{GMDS_VIEW(0, 0), GMDS_VIEW(0, 1), GMDS_VIEW(0, 2)},
+             {GMDS_VIEW(1, 0), GMDS_VIEW(1, 1), GMDS_VIEW(1, 2)},
+             {GMDS_VIEW(2, 0), GMDS_VIEW(2, 1), GMDS_VIEW(2, 2)}},
+    .do_view = GMDS_FN(do_view),
+#if GMDS_ORDERED_2_0 || (GMDS_CAN(2, 0) && GMDS__SIMPLICIAL)
+    .do_all_edges = GMDS_FN(do_all_edges),
+#endif
     .do_across = GMDS_FN(do_across),
     .do_add_node = GMDS_FN(do_add_node),
 #if GMDS_STORED(0, 1) || GMDS_STORED(1, 0)
     .do_add_edge = GMDS_FN(do_add_edge),
 #endif
     .do_add_face = GMDS_FN(do_add_face),
+    .do_add_faces = GMDS_FN(do_add_faces),
+    .adds_locally = GMDS_ADDS_LOCALLY,
     .do_remove_face = GMDS_FN(do_remove_face),
 #if GMDS__K_1
     .do_remove_edge = GMDS_FN(do_remove_edge),

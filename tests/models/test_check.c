@@ -40,6 +40,7 @@ typedef struct row {
   gmds_id *data;
   size_t n;
   gmds_id *length; /* NULL where the row is inline */
+  int packed;      /* inline, GMDS_NONE behind the last entry */
   gmds_id scale;   /* an entry is scale * id + side */
 } row;
 
@@ -50,6 +51,9 @@ static row row_of(subject *s, int i, int j, gmds_id c)
   if (r.rows) {
     found.data = gmds_rows_get(r.rows, c, &found.n);
     found.length = &r.rows->length[c];
+  } else if (r.pairs) {
+    found.data = gmds_pairs_get(r.pairs, c, &found.n);
+    found.packed = 1;
   } else {
     found.data = r.column->data + r.arity * c;
     found.n = r.arity;
@@ -99,6 +103,11 @@ static int corrupt(subject *s, int i, int j, gmds_id c, const row *r, size_t k, 
     r->data[k] = r->scale * id + side_bits(r, k);
     return finds_changes(m, i, j);
   case MISSING:
+    if (r->packed) {
+      r->data[k] = r->data[r->n - 1];
+      r->data[r->n - 1] = GMDS_NONE;
+      return finds_changes(m, i, j);
+    }
     if (shared || !r->length || i == 2) {
       r->data[k] = GMDS_NONE;
       return !shared || (old != GMDS_NONE && finds_changes(m, i, j));

@@ -54,6 +54,55 @@ START_TEST(an_operation_without_memory_changes_nothing)
 }
 END_TEST
 
+START_TEST(faces_at_once_without_memory_change_nothing)
+{
+  static subject like;
+  static face_list list;
+  for (size_t k = 0; k < n_models; k++) {
+    if (!with_algorithms(k))
+      continue;
+    subject_begin(&like, all_models[k], 9);
+    subject_begin(&one, all_models[k], 9);
+    script_grid(&like, 2, 2, 2);
+    script_nodes(&one, like.ref.end[0]);
+    script_list(&like, &list);
+    one.inject = 1;
+    ck_assert_int_eq(script_at_once(&one, &like, &list, NULL), GMDS_OK);
+    ck_assert_int_ge(one.attempt, 2);
+    subject_compare(&one);
+    subject_end(&one);
+    subject_end(&like);
+  }
+}
+END_TEST
+
+START_TEST(a_table_of_edges_without_memory_stays_empty)
+{
+  for (size_t k = 0; k < n_models; k++) {
+    if (!with_algorithms(k) || !all_models[k]->do_all_edges)
+      continue;
+    subject_begin(&one, all_models[k], 1);
+    script_grid(&one, 2, 2, 2);
+    failing f = {.until = 0};
+    gmds_allocator allocator = failing_allocator(&f);
+    gmds_memory memory;
+    gmds_memory_init(&memory, &allocator);
+    gmds_status status = GMDS_ERR_MEMORY;
+    for (long n = 0; status == GMDS_ERR_MEMORY; n++) {
+      gmds_edge_table table;
+      gmds_edge_table_init(&table, &memory);
+      f.until = n;
+      status = one.m->do_all_edges(one.mesh, &table);
+      ck_assert(status == GMDS_OK || (!table.n && !table.nodes && !table.edges && !table.begin));
+      gmds_edge_table_clear(&table);
+      ck_assert_uint_eq(f.live, 0);
+    }
+    ck_assert_int_eq(status, GMDS_OK);
+    subject_end(&one);
+  }
+}
+END_TEST
+
 START_TEST(a_query_without_memory_fails_and_the_next_is_right)
 {
   for (size_t k = 0; k < n_models; k++) {
@@ -226,15 +275,10 @@ START_TEST(a_conversion_without_memory_leaves_both_sides_as_they_were)
       is_empty_with_its_attributes(&one);
       ck_assert_uint_eq(one.from.live, before);
     }
-    if (needs_links(m)) {
-      ck_assert_int_eq(status, GMDS_ERR_UNSUPPORTED);
-      ck_assert_ptr_nonnull(strstr(error.text, "cell 0"));
-    } else {
-      ck_assert_int_eq(status, GMDS_OK);
-      ck_assert_int_eq(m->algorithms->do_from_soup(one.mesh, &soup, &error), GMDS_ERR_ARGUMENT);
-      ck_assert_uint_eq(m->do_cells(one.mesh)[0].count, 9);
-      ck_assert_uint_eq(m->do_cells(one.mesh)[2].count, 4);
-    }
+    ck_assert_int_eq(status, GMDS_OK);
+    ck_assert_int_eq(m->algorithms->do_from_soup(one.mesh, &soup, &error), GMDS_ERR_ARGUMENT);
+    ck_assert_uint_eq(m->do_cells(one.mesh)[0].count, 9);
+    ck_assert_uint_eq(m->do_cells(one.mesh)[2].count, 4);
     failing f = {.until = LONG_MAX};
     gmds_allocator allocator = failing_allocator(&f);
     gmds_memory memory;
@@ -432,7 +476,8 @@ START_TEST(points_that_are_not_finite_change_nothing)
 }
 END_TEST
 
-RUN_SUITE("failures", an_operation_without_memory_changes_nothing, a_query_without_memory_fails_and_the_next_is_right,
+RUN_SUITE("failures", an_operation_without_memory_changes_nothing, faces_at_once_without_memory_change_nothing,
+          a_table_of_edges_without_memory_stays_empty, a_query_without_memory_fails_and_the_next_is_right,
           a_check_without_memory_says_so, a_triangulation_without_memory_leaves_the_mesh_empty,
           a_conversion_without_memory_leaves_both_sides_as_they_were, a_cell_beyond_the_limit_is_refused,
           a_triangulation_beyond_the_limit_leaves_the_mesh_empty, a_cancelled_triangulation_leaves_the_mesh_empty,

@@ -82,6 +82,114 @@ START_TEST(answers_are_exact_where_shared_nodes_mislead)
 }
 END_TEST
 
+/* ---- faces at once */
+
+static void add_trap(subject *s, size_t t)
+{
+  script_nodes(s, 10);
+  for (size_t c = 0; c < 8 && traps[t][c][0]; c++) {
+    gmds_id nodes[8];
+    size_t n = 0;
+    for (; n < 8 && traps[t][c][n]; n++)
+      nodes[n] = traps[t][c][n];
+    if (n > 2 && allows(s->m, n))
+      subject_add_face(s, n, nodes, KNOWS_BOTH);
+  }
+}
+
+START_TEST(faces_added_at_once_are_those_added_one_by_one)
+{
+  static subject two;
+  static face_list list;
+  for (size_t k = 0; k < n_models; k++)
+    for (size_t t = 0; t < 3 + sizeof traps / sizeof *traps; t++) {
+      size_t failed = 99;
+      subject_begin(&one, all_models[k], 5);
+      subject_begin(&two, all_models[k], 5);
+      if (t < 3)
+        script_grid(&one, 3, 2, (int)t);
+      else
+        add_trap(&one, t - 3);
+      script_nodes(&two, one.ref.end[0]);
+      script_list(&one, &list);
+      if (script_at_once(&two, &one, &list, &failed) != GMDS_OK)
+        subject_fail(&two, "face %zu of %zu is refused", failed, list.n);
+      ck_assert_uint_eq(failed, 99);
+      subject_compare(&two);
+      if (list.n && two.m->do_add_faces(two.mesh, list.n, list.begin, list.nodes, NULL) != GMDS_ERR_ARGUMENT)
+        subject_fail(&two, "faces are added to faces");
+      subject_compare(&two);
+      subject_end(&two);
+      subject_end(&one);
+    }
+}
+END_TEST
+
+START_TEST(faces_that_cannot_be_added_leave_the_nodes_alone)
+{
+  static const struct {
+    size_t n, begin[5], bad;
+    gmds_id nodes[16];
+    gmds_status status; /* GMDS_ERR_CONFLICT: in models that store F2F */
+  } cases[] = {{2, {0, 3, 6}, 1, {0, 1, 2, 2, 3, 2}, GMDS_ERR_ARGUMENT},
+               {2, {0, 3, 6}, 1, {0, 1, 2, 2, 3, 77}, GMDS_ERR_CELL},
+               {2, {0, 3, 5}, 1, {0, 1, 2, 2, 3}, GMDS_ERR_ARGUMENT},
+               {4, {0, 3, 6, 9, 12}, 2, {0, 1, 2, 1, 0, 3, 0, 1, 4, 5, 6, 7}, GMDS_ERR_CONFLICT},
+               {2, {0, 4, 8}, 1, {0, 1, 2, 3, 3, 2, 1, 3}, GMDS_ERR_ARGUMENT}};
+  for (size_t k = 0; k < n_models; k++)
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+      size_t failed = 99;
+      const model *m = all_models[k];
+      if (!allows(m, cases[c].begin[1]) || (cases[c].status == GMDS_ERR_CONFLICT && !stores(m, 2, 2)))
+        continue;
+      subject_begin(&one, m, 5);
+      script_nodes(&one, 10);
+      gmds_status status = m->do_add_faces(one.mesh, cases[c].n, cases[c].begin, cases[c].nodes, &failed);
+      if (status != cases[c].status || failed != cases[c].bad)
+        subject_fail(&one, "faces %zu: '%s', face %zu", c, gmds_status_text(status), failed);
+      subject_compare(&one);
+      script_grid(&one, 2, 2, 0);
+      subject_compare(&one);
+      subject_end(&one);
+    }
+}
+END_TEST
+
+/* ---- edges of many faces */
+
+START_TEST(an_edge_may_have_any_number_of_faces)
+{
+  enum { MANY = 20 };
+  for (size_t k = 0; k < n_models; k++) {
+    const model *m = all_models[k];
+    if (!allows(m, 3) || stores(m, 2, 2)) /* F2F holds two faces a side */
+      continue;
+    subject_begin(&one, m, 3);
+    script_nodes(&one, MANY + 2);
+    for (gmds_id v = 2; v < MANY + 2; v++) {
+      const gmds_id nodes[3] = {0, 1, v};
+      subject_add_face(&one, 3, nodes, KNOWS_BOTH);
+      if (v < 6)
+        subject_compare(&one);
+    }
+    subject_compare(&one);
+    size_t most = m->do_memory(one.mesh)->live;
+    for (gmds_id f = 0; f < MANY; f++) {
+      if (f % 10 == 4) /* two stay */
+        continue;
+      subject_remove_face(&one, f, usual_edges(m));
+      if (f > MANY - 6)
+        subject_compare(&one);
+    }
+    subject_compact(&one);
+    ck_assert_int_eq(m->do_trim(one.mesh), GMDS_OK);
+    subject_compare(&one);
+    ck_assert_uint_lt(m->do_memory(one.mesh)->live, most);
+    subject_end(&one);
+  }
+}
+END_TEST
+
 /* ---- random meshes */
 
 /* Removes every second face while it goes over them, adding others: those that stay are met once. */
@@ -134,4 +242,6 @@ START_TEST(answers_are_exact_after_creation_and_deletion)
 END_TEST
 
 RUN_SUITE("queries", paths_of_the_preprocessor_are_those_of_the_census, answers_are_exact_on_regular_meshes,
-          answers_are_exact_where_shared_nodes_mislead, answers_are_exact_after_creation_and_deletion)
+          answers_are_exact_where_shared_nodes_mislead, faces_added_at_once_are_those_added_one_by_one,
+          faces_that_cannot_be_added_leave_the_nodes_alone, an_edge_may_have_any_number_of_faces,
+          answers_are_exact_after_creation_and_deletion)

@@ -28,7 +28,7 @@ empty_of_leftovers() { [ -z "$(find . -name '*.tmp*' -o -name '.*.gmds*' | head 
 # ---- help and wrong usage
 run 0 --help && prints 'sweep'
 run 0 --version
-for verb in models sweep delaunay convert info check; do run 0 "$verb" --help && prints "usage: gmds $verb"; done
+for verb in models sweep delaunay convert info check bench; do run 0 "$verb" --help && prints "usage: gmds $verb"; done
 run 2 nonsense && says "no verb 'nonsense'"
 run 2 delaunay && says 'missing'
 run 2 delaunay a b && says 'too many'
@@ -111,6 +111,37 @@ run 1 sweep --points random:100:1 --models all --expect 0123456789abcdef && says
 run 1 sweep --points random:100:1 --models 'N|F|F2N,N|Q' && says "'Q'"
 run 1 sweep --points random:100:1 --models 'N|F|F2N' --csv no_such_folder/x.csv && says 'no_such_folder'
 run 1 sweep --points missing.xy
+
+# ---- bench
+run 0 bench cells --n 20 --model 'N|E|F|N2E|N2F|E2N|E2F|F2N|F2E|F2F' --json && prints '"face_by_face":true'
+for key in model n nodes edges triangles seconds construct area stars edges marks attributes bytes peak_bytes; do
+  prints "\"$key\":"
+done
+prints '"nodes":441,' && prints '"edges":1240,' && prints '"triangles":800,'
+run 0 bench cells --n 20 && prints 'areas of all faces'
+run 0 bench cells --n 1 --model 'N|F|N2F' --json && prints '"triangles":2'
+# the seven relations of half a million triangles
+run 0 bench cells --n 500 --model 'N|E|F|N2E|N2F|E2N|E2F|F2N|F2E|F2F' --json
+bytes=$(sed 's/.*"bytes":\([0-9]*\).*/\1/' out)
+[ "$bytes" -le 56000000 ] || fail "seven relations of 500,000 triangles take $bytes bytes"
+# every model: the answers are checked by the command, a model that has no stars says null
+stars=0
+for model in $("$gmds" models --dim 2 --csv | awk -F, '$2==1{print $1}'); do
+  run 0 bench cells --n 6 --model "$model" --json
+  prints '"construct":[0-9]' && prints '"area":[0-9]' && prints '"edges":[0-9]'
+  stars=$((stars + $(grep -c '"stars":[0-9]' out)))
+done
+[ "$stars" = "$("$gmds" models --dim 2 --csv | awk -F, '$2==1 && $9!="none"' | wc -l)" ] || fail "$stars models have stars"
+run 0 bench predicates --json && prints '"incircle_perturbed":{"uniform":[0-9.]*,"lattice":[0-9.]*}'
+run 0 bench predicates && prints 'nanoseconds a call'
+run 1 bench hexgrid --n 5 && says 'no combinatorial maps'
+run 1 bench cells --n 5 --model 'N|F' && says '2->0'
+run 2 bench
+run 2 bench cells && says 'needs --n'
+run 2 bench cells --n 0
+run 2 bench cells --n ten
+run 2 bench nothing
+run 2 bench predicates --n 5
 
 # ---- convert, info, check
 cat >cube.off <<'END'
