@@ -10,6 +10,7 @@
 #include "expansion.h"
 #include "stages.h"
 #include "wide.h"
+#include <float.h>
 #include <gmds/predicates.h>
 
 /* The six differences, ax ay bx by cx cy. The value is whether all are exact. */
@@ -45,6 +46,40 @@ int gmds_incircle_lattice(const double a[2], const double b[2], const double c[2
                (cx * cx + cy * cy) * (ax * by - bx * ay);
   return (det > 0) - (det < 0);
 }
+
+#if LDBL_MANT_DIG == 64
+/* Whether long doubles have the precision that they are said to have: emulators (valgrind's among them) and a changed
+ * control word of the processor may give less. */
+static int extended_is_extended(void)
+{
+  volatile long double one = 1, small = 0x1p-63L;
+  return one + small != one;
+}
+
+int gmds_incircle_extended(const double a[2], const double b[2], const double c[2], const double d[2])
+{
+  const long double dx = d[0], dy = d[1];
+  const long double ax = a[0] - dx, ay = a[1] - dy, bx = b[0] - dx, by = b[1] - dy, cx = c[0] - dx, cy = c[1] - dy;
+  const long double bxcy = bx * cy, cxby = cx * by, cxay = cx * ay, axcy = ax * cy, axby = ax * by, bxay = bx * ay;
+  const long double alift = ax * ax + ay * ay, blift = bx * bx + by * by, clift = cx * cx + cy * cy;
+  const long double det = alift * (bxcy - cxby) + blift * (cxay - axcy) + clift * (axby - bxay);
+  /* The cheap size and the bound of <gmds/predicates.h>, with u = 2^-64. The exponents of long doubles let no product of
+   * four differences of doubles under- or overflow: the smallest is 2^-1074, the largest below 2^1026. */
+  const long double size = alift * blift + clift * (alift + blift), bound = 0x1.4p-61L * (1 + 0x1p-40L) * size;
+  if (!(det > bound || -det > bound) || !extended_is_extended())
+    return GMDS_UNDECIDED;
+  return det > 0 ? 1 : -1;
+}
+#else
+int gmds_incircle_extended(const double a[2], const double b[2], const double c[2], const double d[2])
+{
+  (void)a;
+  (void)b;
+  (void)c;
+  (void)d;
+  return GMDS_UNDECIDED;
+}
+#endif
 
 /* h = |p|^2 (q x r): 32 components at most. The minor has 4 components without adjacent bits, which scaling keeps, as
  * expansion_sum needs it of what it adds. */
@@ -104,6 +139,8 @@ int gmds_incircle_wide(const double a[2], const double b[2], const double c[2], 
 int gmds_incircle_exact(const double a[2], const double b[2], const double c[2], const double d[2])
 {
   int sign = gmds_incircle_lattice(a, b, c, d);
+  if (sign == GMDS_UNDECIDED)
+    sign = gmds_incircle_extended(a, b, c, d);
   if (sign == GMDS_UNDECIDED)
     sign = gmds_incircle_expansion(a, b, c, d);
   if (sign == GMDS_UNDECIDED)

@@ -19,6 +19,9 @@ int gmds_orient2d_wide(const double a[2], const double b[2], const double c[2]);
 /* For differences that are exact and small multiples of a power of two: the plain evaluation makes no error. */
 int gmds_incircle_lattice(const double a[2], const double b[2], const double c[2], const double d[2]);
 
+/* The filter in long doubles of 64 bits of precision, where there are such: what is nearly a tie and not one. */
+int gmds_incircle_extended(const double a[2], const double b[2], const double c[2], const double d[2]);
+
 /* For differences that are exact: the determinant as an expansion. Undecided also where exponents are extreme. */
 int gmds_incircle_expansion(const double a[2], const double b[2], const double c[2], const double d[2]);
 

@@ -91,6 +91,17 @@ static inline void gmds_pairs_empty(gmds_pairs *pairs, size_t r)
   row[0] = row[1] = GMDS_NONE;
 }
 
+/* Moves row `from` to row `to`, which is empty. */
+static inline void gmds_pairs_move(gmds_pairs *pairs, size_t from, size_t to)
+{
+  gmds_id *row = pairs->entries.data + 2 * from, *target = pairs->entries.data + 2 * to;
+  target[0] = row[0];
+  target[1] = row[1];
+  if (row[0] == GMDS_NONE && row[1] != GMDS_NONE)
+    pairs->owner.data[row[1]] = (gmds_id)to;
+  row[0] = row[1] = GMDS_NONE;
+}
+
 /* Nothing spare: long rows of two entries or fewer become inline again. GMDS_OK or GMDS_ERR_MEMORY (valid, trimmed in
  * part). O(long rows). */
 gmds_status gmds_pairs_trim(gmds_pairs *pairs, gmds_memory *memory);

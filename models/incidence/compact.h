@@ -1,8 +1,11 @@
 /* Closing the holes that deletions left: the cells with the largest identifiers move into them. */
 
-/* Where faces are inline and know the cells that know them, a face moves by itself: the cost is that of the holes. */
-#define GMDS__MOVES_FACES \
-  (GMDS__INLINE && (!GMDS__S_0_2 || GMDS__S_2_0) && (!GMDS__S_1_2 || GMDS__S_2_1) && (!GMDS__S_2_2 || GMDS__CODED))
+/* Where the cells that know a face, or an edge, are found from it without a traversal, it moves by itself: the cost is that
+ * of the holes. */
+#define GMDS__MOVES_FACES                                                            \
+  (GMDS__INLINE && (!GMDS__S_0_2 || GMDS__S_2_0) && (!GMDS__S_2_2 || GMDS__CODED) && \
+   (!GMDS__S_1_2 || GMDS__S_2_1 || (GMDS__S_2_0 && GMDS__S_0_1)))
+#define GMDS__MOVES_EDGES (GMDS__K_1 && !GMDS__S_1_1 && (!GMDS__S_0_1 || GMDS__S_1_0) && (!GMDS__S_2_1 || GMDS__S_1_2))
 
 #if GMDS__MOVES_FACES
 static inline void move_face(mesh *m, gmds_id from, gmds_id to)
@@ -18,8 +21,11 @@ static inline void move_face(mesh *m, gmds_id from, gmds_id to)
 #  if GMDS__S_0_2
     gmds_rows_replace(&m->r_0_2, row_2_0(m, to, &n)[k], from, to);
 #  endif
-#  if GMDS__S_1_2
+#  if GMDS__S_1_2 && GMDS__S_2_1
     gmds_pairs_replace(&m->r_1_2, row_2_1(m, to, &n)[k], from, to);
+#  elif GMDS__S_1_2
+    const gmds_id *node = row_2_0(m, to, &n);
+    gmds_pairs_replace(&m->r_1_2, find_edge(m, node[k], node[k + 1 < GMDS__SIDES ? k + 1 : 0]), from, to);
 #  endif
 #  if GMDS__S_2_2
     gmds_id entry = row_2_2(m, to, &n)[k];
@@ -31,13 +37,41 @@ static inline void move_face(mesh *m, gmds_id from, gmds_id to)
 }
 #endif
 
+#if GMDS__MOVES_EDGES
+static inline void move_edge(mesh *m, gmds_id from, gmds_id to)
+{
+  size_t n = 0;
+  (void)n;
+#  if GMDS__S_1_0
+  memcpy(m->r_1_0.data + 2 * (size_t)to, m->r_1_0.data + 2 * (size_t)from, 2 * sizeof(gmds_id));
+#    if GMDS__S_0_1
+  for (size_t k = 0; k < 2; k++)
+    gmds_rows_replace(&m->r_0_1, m->r_1_0.data[2 * (size_t)to + k], from, to);
+#    endif
+#  endif
+#  if GMDS__S_1_2
+  gmds_pairs_move(&m->r_1_2, from, to);
+#    if GMDS__S_2_1
+  const gmds_id *faces = gmds_pairs_get(&m->r_1_2, to, &n);
+  for (size_t i = 0; i < n; i++) {
+    size_t sides = 0;
+    gmds_id *row = row_2_1(m, faces[i], &sides);
+    for (size_t k = 0; k < sides; k++)
+      row[k] = row[k] == from ? to : row[k];
+  }
+#    endif
+#  endif
+  gmds_cells_move(&m->cells[1], from, to);
+}
+#endif
+
 static inline gmds_status compact(mesh *m, gmds_id *maps[3])
 {
   gmds_id *map[3] = {NULL, NULL, NULL};
   gmds_status status = GMDS_OK;
   for (int i = 0; i < 3 && status == GMDS_OK; i++) {
     void *block = NULL;
-    if (m->cells[i].count == m->cells[i].end || (GMDS__MOVES_FACES && i == 2))
+    if (m->cells[i].count == m->cells[i].end || (GMDS__MOVES_FACES && i == 2) || (GMDS__MOVES_EDGES && i == 1))
       continue; /* no hole: identifiers stay */
     if (!gmds_resize(&m->memory, &block, 0, m->cells[i].end, sizeof *map[i]))
       status = GMDS_ERR_MEMORY;
@@ -74,6 +108,15 @@ static inline gmds_status compact(mesh *m, gmds_id *maps[3])
       gmds_cells_renumber(&m->cells[i], map[i]);
     gmds_release(&m->memory, map[i], map[i] ? end : 0, sizeof *map[i]);
   }
+#if GMDS__MOVES_EDGES
+  gmds_id hole = 0;
+  for (gmds_id e = next_1(m, (gmds_id)count_1(m)); status == GMDS_OK && e != GMDS_NONE; e = next_1(m, e + 1)) {
+    hole = (gmds_id)gmds_bits_next_unset(&m->cells[1].alive, hole, e);
+    move_edge(m, e, hole);
+  }
+  if (status == GMDS_OK)
+    gmds_cells_close(&m->cells[1]);
+#endif
 #if GMDS__MOVES_FACES
   gmds_id to = 0;
   for (gmds_id f = next_2(m, (gmds_id)count_2(m)); status == GMDS_OK && f != GMDS_NONE; f = next_2(m, f + 1)) {

@@ -28,8 +28,9 @@ static inline gmds_status trim(mesh *m);
 
 /* Closes the holes: cells numbered below the count keep their identifiers, the others move into the holes in the order
  * they have. maps[i], if not NULL, receives the new identifier of each old i-cell, GMDS_NONE for holes; it has room for
- * end_i of them. maps may be NULL. GMDS_OK or GMDS_ERR_MEMORY. Constant when there is no hole, O(holes) for holes among
- * faces of one type where N2F comes with F2N, E2F with F2E and F2F with F2N, else O(mesh). */
+ * end_i of them. maps may be NULL. GMDS_OK or GMDS_ERR_MEMORY. Constant when there is no hole; O(holes) for edges where N2E
+ * comes with E2N and F2E with E2F, and for faces of one type where N2F comes with F2N, F2F with F2N, and E2F with F2E, or
+ * with F2N and N2E; else O(mesh). */
 static inline gmds_status compact(mesh *m, gmds_id *maps[3]);
 
 /* ---- cells: how many are alive; whether one is; the first from `id` on, or GMDS_NONE.

@@ -89,7 +89,13 @@
 #undef star_face
 #undef relink_outside
 #undef star
+#undef star_plan
+#undef inner_edge
+#undef keep_spoke
+#undef number_star
+#undef GMDS__KEEPS_FACES
 #undef move_face
+#undef move_edge
 #undef take_faces
 #undef drop_faces
 #undef write_star
@@ -125,6 +131,7 @@
 #undef GMDS__IF_2_1
 #undef GMDS__IF_2_2
 #undef GMDS__MOVES_FACES
+#undef GMDS__MOVES_EDGES
 #undef GMDS__EACH_SET
 #undef GMDS__EACH_OF_FACES
 #undef GMDS__EACH_INLINE

@@ -42,42 +42,100 @@ static inline gmds_status edge_at(mesh *m, gmds_id f, unsigned side, gmds_id a, 
 }
 #  endif
 
-/* Fills m->plan: the edges on the boundary, one a side; then the edges of the star, of which entry i joins sides[i].a to
- * the apex: those inside the cavity, one for each face but the root, are used again, three more are taken later. */
-static inline gmds_status plan_star(mesh *m, size_t n_faces, const gmds_cavity_face *faces, size_t n_sides,
-                                    const gmds_cavity_side *sides)
+/* Whether rows or pairs hold faces: then it pays to let the new face on a side have the number of the old one there. Two of
+ * its nodes and the edge between them know it already. Likewise an edge inside the cavity becomes a spoke of the star, one
+ * that joins the apex to a node of the boundary, where possible at one of its ends. */
+#  define GMDS__KEEPS_FACES (GMDS__S_0_2 || GMDS__S_1_2)
+
+/* What a star uses again. The arrays lie in m->plan. */
+typedef struct star_plan {
+  gmds_id *boundary; /* the edge on each side */
+  gmds_id *spoke;    /* the edge from sides[i].a to the apex; GMDS_NONE: one is taken later */
+  gmds_id *inner;    /* the edge over which each face of the cavity was reached; the root's is GMDS_NONE */
+  gmds_id *spoke_of; /* of which side each of them is the spoke that keeps its end there, or GMDS_NONE */
+  gmds_id *side_of;  /* the side on which each number of a face of the cavity stays, or GMDS_NONE */
+  gmds_id
+      *keeps; /* for each side the face of the cavity whose inner edge is its spoke and keeps its end, or GMDS_NONE */
+} star_plan;
+
+#  if GMDS__MAKES_EDGES
+/* The edge inside the cavity over which face j was reached. */
+static inline gmds_status inner_edge(mesh *m, const gmds_cavity_face *faces, size_t j, gmds_id *edge)
 {
-  m->plan.n = 0;
-  (void)n_faces;
+  const gmds_cavity_face *c = &faces[j];
+  *edge = GMDS_NONE;
+#    if GMDS__LINKED_EDGES || (GMDS_ORDERED_2_0 && GMDS__S_2_1)
+  return edge_at(m, c->face, c->side, c->node[0], c->node[1], GMDS_NONE, edge);
+#    else
+  /* the face on the other side is the one of the cavity that has both nodes */
+  for (size_t q = 0; q < j && *edge == GMDS_NONE; q++) {
+    int shared = 0;
+    for (int k = 0; k < 3; k++)
+      shared += faces[q].node[k] == c->node[0] || faces[q].node[k] == c->node[1];
+    if (shared == 2)
+      GMDS_TRY(edge_at(m, c->face, 0, c->node[0], c->node[1], faces[q].face, edge));
+  }
+  return GMDS_OK;
+#    endif
+}
+
+/* Makes inner edge j the spoke of a side that begins at one of its ends. Of a large cavity none is looked for. */
+static inline void keep_spoke(star_plan *plan, size_t j, const gmds_cavity_face *c, size_t n_sides,
+                              const gmds_cavity_side *sides)
+{
+  enum { LARGE = 32 };
+  for (size_t i = 0; i < n_sides && n_sides <= LARGE; i++)
+    if ((sides[i].a == c->node[0] || sides[i].a == c->node[1]) && plan->spoke[i] == GMDS_NONE) {
+      plan->spoke[i] = plan->inner[j];
+      plan->keeps[i] = (gmds_id)j;
+      plan->spoke_of[j] = (gmds_id)i;
+      return;
+    }
+}
+#  endif
+
+/* Fills the plan. */
+static inline gmds_status plan_star(mesh *m, size_t n_faces, const gmds_cavity_face *faces, size_t n_sides,
+                                    const gmds_cavity_side *sides, star_plan *plan)
+{
   (void)faces;
   (void)sides;
+#  if GMDS__MAKES_EDGES || GMDS__KEEPS_FACES
+  size_t n = 3 * n_sides + 3 * n_faces;
+  m->plan.n = 0;
+  GMDS_TRY(gmds_ids_reserve(&m->plan, n));
+  for (size_t k = 0; k < n; k++)
+    m->plan.data[k] = GMDS_NONE;
+  plan->boundary = m->plan.data;
+  plan->spoke = plan->boundary + n_sides;
+  plan->keeps = plan->spoke + n_sides;
+  plan->inner = plan->keeps + n_sides;
+  plan->spoke_of = plan->inner + n_faces;
+  plan->side_of = plan->spoke_of + n_faces;
+#  else
+  (void)m;
+  (void)n_faces;
   (void)n_sides;
+  (void)plan;
+#  endif
+#  if GMDS__KEEPS_FACES
+  for (size_t i = 0; i < n_sides; i++)
+    if (plan->side_of[sides[i].in] == GMDS_NONE)
+      plan->side_of[sides[i].in] = (gmds_id)i;
+#  endif
 #  if GMDS__MAKES_EDGES
-  GMDS_TRY(gmds_ids_reserve(&m->plan, 2 * n_sides));
+#    if GMDS__S_1_2 || GMDS__S_2_1 /* else no relation of the edges on the boundary changes */
   for (size_t i = 0; i < n_sides; i++) {
-    gmds_id edge = GMDS_NONE;
-#    if GMDS__S_1_2 || GMDS__S_2_1 /* else no relation of these edges changes */
     const gmds_cavity_side *s = &sides[i];
-    GMDS_TRY(edge_at(m, faces[s->in].face, (faces[s->in].side + s->in_side) % 3, s->a, s->b, s->out, &edge));
-#    endif
-    m->plan.data[m->plan.n++] = edge;
+    if (!GMDS__S_2_1 && plan->side_of[s->in] == i)
+      continue; /* the edge knows the face already, and no face knows the edge */
+    GMDS_TRY(
+        edge_at(m, faces[s->in].face, (faces[s->in].side + s->in_side) % 3, s->a, s->b, s->out, &plan->boundary[i]));
   }
-  for (size_t j = 1; j < n_faces; j++) {
-    const gmds_cavity_face *c = &faces[j];
-    gmds_id edge = GMDS_NONE;
-#    if GMDS__LINKED_EDGES || (GMDS_ORDERED_2_0 && GMDS__S_2_1)
-    GMDS_TRY(edge_at(m, c->face, c->side, c->node[0], c->node[1], GMDS_NONE, &edge));
-#    else
-    /* the face on the other side is the one of the cavity that has both nodes */
-    for (size_t q = 0; q < j && edge == GMDS_NONE; q++) {
-      int shared = 0;
-      for (int k = 0; k < 3; k++)
-        shared += faces[q].node[k] == c->node[0] || faces[q].node[k] == c->node[1];
-      if (shared == 2)
-        GMDS_TRY(edge_at(m, c->face, 0, c->node[0], c->node[1], faces[q].face, &edge));
-    }
 #    endif
-    m->plan.data[m->plan.n++] = edge;
+  for (size_t j = 1; j < n_faces; j++) {
+    GMDS_TRY(inner_edge(m, faces, j, &plan->inner[j]));
+    keep_spoke(plan, j, &faces[j], n_sides, sides);
   }
   GMDS_TRY(grow(m, 1, 3));
 #  endif
@@ -105,11 +163,12 @@ static inline gmds_status reserve_star(mesh *m, gmds_id apex, size_t n_sides, co
 
 /* Takes what the star has more than the cavity, two faces and three edges, with room in their rows. On failure nothing
  * is taken. */
-static inline gmds_status take_star(mesh *m, size_t n_faces, size_t n_sides, gmds_id fresh[2])
+static inline gmds_status take_star(mesh *m, size_t n_faces, size_t n_sides, star_plan *plan, gmds_id fresh[2])
 {
   gmds_status status = GMDS_OK;
   (void)n_faces;
   (void)n_sides;
+  (void)plan;
   for (int i = 0; i < 2; i++)
     fresh[i] = gmds_cells_take(&m->cells[2]);
 #  define GMDS__RESERVE_NEW(a, b)                    \
@@ -117,48 +176,78 @@ static inline gmds_status take_star(mesh *m, size_t n_faces, size_t n_sides, gmd
       status = gmds_rows_reserve(&m->r_##a##_##b, &m->memory, fresh[i], 3);
   GMDS__EACH_ORDERED(GMDS__RESERVE_NEW)
 #  undef GMDS__RESERVE_NEW
-#  if GMDS__MAKES_EDGES
-  while (m->plan.n < 2 * n_sides) {
-    gmds_id e = gmds_cells_take(&m->cells[1]);
-    m->plan.data[m->plan.n++] = e;
+  if (status != GMDS_OK) {
+    for (int i = 2; i-- > 0;)
+      drop_face(m, fresh[i]);
+    return status;
   }
-#  endif
-  if (status == GMDS_OK) {
 #  define GMDS__FILL_NEW(a, b)    \
     for (int i = 0; i < 2; i++)   \
       for (int k = 0; k < 3; k++) \
         gmds_rows_push(&m->r_##a##_##b, fresh[i], GMDS_NONE);
-    GMDS__EACH_ORDERED(GMDS__FILL_NEW)
+  GMDS__EACH_ORDERED(GMDS__FILL_NEW)
 #  undef GMDS__FILL_NEW
-    return GMDS_OK;
-  }
-  for (int i = 2; i-- > 0;)
-    drop_face(m, fresh[i]);
 #  if GMDS__MAKES_EDGES
-  for (size_t i = 2 * n_sides; i-- > n_sides + n_faces - 1;)
-    drop_edge(m, m->plan.data[i]);
+  size_t j = 1;
+  for (size_t i = 0; i < n_sides; i++) {
+    if (plan->spoke[i] != GMDS_NONE)
+      continue;
+    while (j < n_faces && plan->spoke_of[j] != GMDS_NONE)
+      j++;
+    plan->spoke[i] = j < n_faces ? plan->inner[j++] : gmds_cells_take(&m->cells[1]);
+  }
 #  endif
-  return status;
+  return GMDS_OK;
+}
+
+/* The numbers of the star's faces: where a number stays on a side, it; else one of a face without a side, or a fresh one. */
+static inline void number_star(const star_plan *plan, size_t n_faces, const gmds_cavity_face *faces, size_t n_sides,
+                               const gmds_cavity_side *sides, const gmds_id fresh[2], gmds_id *ids)
+{
+  (void)plan;
+  (void)sides;
+#  if GMDS__KEEPS_FACES
+  size_t j = 0, used = 0;
+  for (size_t i = 0; i < n_sides; i++) {
+    if (plan->side_of[sides[i].in] == i) {
+      ids[i] = faces[sides[i].in].face;
+      continue;
+    }
+    while (j < n_faces && plan->side_of[j] != GMDS_NONE)
+      j++;
+    ids[i] = j < n_faces ? faces[j++].face : fresh[used++];
+  }
+#  else
+  for (size_t i = 0; i < n_faces; i++)
+    ids[i] = faces[i].face;
+  ids[n_sides - 2] = fresh[0];
+  ids[n_sides - 1] = fresh[1];
+#  endif
 }
 
 /* Makes nodes and faces outside forget the cavity. */
-static inline void forget_cavity(mesh *m, size_t n_faces, const gmds_cavity_face *faces, size_t n_sides,
-                                 const gmds_cavity_side *sides)
+static inline void forget_cavity(mesh *m, const star_plan *plan, size_t n_faces, const gmds_cavity_face *faces,
+                                 size_t n_sides, const gmds_cavity_side *sides)
 {
   (void)m;
+  (void)plan;
   (void)n_faces;
   (void)faces;
   (void)n_sides;
   (void)sides;
 #  if GMDS__S_0_2
-  for (size_t j = 0; j < n_faces; j++)
-    for (int k = 0; k < 3; k++)
-      gmds_rows_remove(&m->r_0_2, faces[j].node[k], faces[j].face);
+  for (size_t j = 0; j < n_faces; j++) {
+    const gmds_id kept = plan->side_of[j]; /* its side's nodes keep the face */
+    for (unsigned k = 0; k < 3; k++)
+      if (kept == GMDS_NONE || k == (sides[kept].in_side + 2) % 3)
+        gmds_rows_remove(&m->r_0_2, faces[j].node[k], faces[j].face);
+  }
 #  endif
 #  if GMDS__S_0_1
   for (size_t j = 1; j < n_faces; j++)
     for (int k = 0; k < 2; k++)
-      gmds_rows_remove(&m->r_0_1, faces[j].node[k], m->plan.data[n_sides + j - 1]);
+      if (plan->spoke_of[j] == GMDS_NONE || sides[plan->spoke_of[j]].a != faces[j].node[k])
+        gmds_rows_remove(&m->r_0_1, faces[j].node[k], plan->inner[j]);
 #  endif
 #  if GMDS__S_0_0
   for (size_t j = 1; j < n_faces; j++)
@@ -181,11 +270,12 @@ static inline void forget_cavity(mesh *m, size_t n_faces, const gmds_cavity_face
 }
 
 /* Links the nodes with the edges of the star, and these with their nodes and faces. */
-static inline void star_edge(mesh *m, gmds_id apex, size_t i, size_t n_sides, const gmds_cavity_side *sides,
-                             const gmds_cavity_face *faces, const gmds_id *ids)
+static inline void star_edge(mesh *m, const star_plan *plan, gmds_id apex, size_t i, size_t n_sides,
+                             const gmds_cavity_side *sides, const gmds_cavity_face *faces, const gmds_id *ids)
 {
   gmds_id a = sides[i].a;
   (void)m;
+  (void)plan;
   (void)apex;
   (void)n_sides;
   (void)faces;
@@ -196,7 +286,7 @@ static inline void star_edge(mesh *m, gmds_id apex, size_t i, size_t n_sides, co
   gmds_rows_push(&m->r_0_0, apex, a);
 #  endif
 #  if GMDS__MAKES_EDGES
-  gmds_id e = m->plan.data[n_sides + i], on_boundary = m->plan.data[i];
+  gmds_id e = plan->spoke[i], on_boundary = plan->boundary[i];
   (void)e;
   (void)on_boundary;
 #    if GMDS__S_1_0
@@ -204,26 +294,29 @@ static inline void star_edge(mesh *m, gmds_id apex, size_t i, size_t n_sides, co
   m->r_1_0.data[2 * (size_t)e + 1] = apex;
 #    endif
 #    if GMDS__S_0_1
-  gmds_rows_push(&m->r_0_1, a, e);
+  if (plan->keeps[i] == GMDS_NONE)
+    gmds_rows_push(&m->r_0_1, a, e);
   gmds_rows_push(&m->r_0_1, apex, e);
 #    endif
 #    if GMDS__S_1_2
   gmds_pairs_empty(&m->r_1_2, e);
   gmds_pairs_push(&m->r_1_2, e, ids[i > 0 ? i - 1 : n_sides - 1]);
   gmds_pairs_push(&m->r_1_2, e, ids[i]);
-  gmds_pairs_replace(&m->r_1_2, on_boundary, faces[sides[i].in].face, ids[i]);
+  if (ids[i] != faces[sides[i].in].face)
+    gmds_pairs_replace(&m->r_1_2, on_boundary, faces[sides[i].in].face, ids[i]);
 #    endif
 #  endif
 }
 
 /* Writes the rows of face i of the star, whose nodes are sides[i].a, sides[i].b and the apex. */
-static inline void star_face(mesh *m, gmds_id apex, size_t i, size_t n_sides, const gmds_cavity_side *sides,
-                             const gmds_id *ids)
+static inline void star_face(mesh *m, const star_plan *plan, gmds_id apex, size_t i, size_t n_sides,
+                             const gmds_cavity_side *sides, const gmds_id *ids)
 {
   const gmds_cavity_side *s = &sides[i];
   gmds_id f = ids[i];
   size_t next = i + 1 < n_sides ? i + 1 : 0, before = i > 0 ? i - 1 : n_sides - 1, n = 0;
   (void)apex;
+  (void)plan;
   (void)m;
   (void)f;
   (void)next;
@@ -238,9 +331,9 @@ static inline void star_face(mesh *m, gmds_id apex, size_t i, size_t n_sides, co
 #  endif
 #  if GMDS__S_2_1
   gmds_id *edge = row_2_1(m, f, &n);
-  edge[0] = m->plan.data[i];
-  edge[1] = m->plan.data[n_sides + next];
-  edge[2] = m->plan.data[n_sides + i];
+  edge[0] = plan->boundary[i];
+  edge[1] = plan->spoke[next];
+  edge[2] = plan->spoke[i];
 #  endif
 #  if GMDS__S_2_2
   gmds_id *face = row_2_2(m, f, &n);
@@ -249,8 +342,10 @@ static inline void star_face(mesh *m, gmds_id apex, size_t i, size_t n_sides, co
   face[2] = GMDS__CODED ? 4 * ids[before] + 1 : ids[before];
 #  endif
 #  if GMDS__S_0_2
-  gmds_rows_push(&m->r_0_2, s->a, f);
-  gmds_rows_push(&m->r_0_2, s->b, f);
+  if (plan->side_of[s->in] != i) {
+    gmds_rows_push(&m->r_0_2, s->a, f);
+    gmds_rows_push(&m->r_0_2, s->b, f);
+  }
   gmds_rows_push(&m->r_0_2, apex, f);
 #  endif
 }
@@ -274,14 +369,14 @@ static inline void relink_outside(mesh *m, size_t i, const gmds_cavity_side *s, 
 }
 #  endif
 
-/* Writes the star; ids begins with the faces of the cavity and ends with two that were taken. */
-static inline void write_star(mesh *m, gmds_id apex, size_t n_faces, const gmds_cavity_face *faces, size_t n_sides,
-                              const gmds_cavity_side *sides, const gmds_id *ids)
+static inline void write_star(mesh *m, const star_plan *plan, gmds_id apex, size_t n_faces,
+                              const gmds_cavity_face *faces, size_t n_sides, const gmds_cavity_side *sides,
+                              const gmds_id *ids)
 {
-  forget_cavity(m, n_faces, faces, n_sides, sides);
+  forget_cavity(m, plan, n_faces, faces, n_sides, sides);
   for (size_t i = 0; i < n_sides; i++) {
-    star_edge(m, apex, i, n_sides, sides, faces, ids);
-    star_face(m, apex, i, n_sides, sides, ids);
+    star_edge(m, plan, apex, i, n_sides, sides, faces, ids);
+    star_face(m, plan, apex, i, n_sides, sides, ids);
 #  if GMDS__S_2_2
     relink_outside(m, i, &sides[i], ids[i]);
 #  endif
@@ -291,18 +386,16 @@ static inline void write_star(mesh *m, gmds_id apex, size_t n_faces, const gmds_
 static inline gmds_status star(mesh *m, gmds_id apex, size_t n_faces, const gmds_cavity_face *faces, size_t n_sides,
                                const gmds_cavity_side *sides, gmds_id *ids)
 {
+  star_plan plan;
+  gmds_id fresh[2];
   if (!n_faces || n_sides != n_faces + 2)
     return GMDS_ERR_ARGUMENT;
   GMDS_TRY(grow(m, 2, 2));
-  GMDS_TRY(plan_star(m, n_faces, faces, n_sides, sides));
+  GMDS_TRY(plan_star(m, n_faces, faces, n_sides, sides, &plan));
   GMDS_TRY(reserve_star(m, apex, n_sides, sides));
-  gmds_id fresh[2];
-  GMDS_TRY(take_star(m, n_faces, n_sides, fresh));
-  for (size_t i = 0; i < n_faces; i++)
-    ids[i] = faces[i].face;
-  ids[n_faces] = fresh[0];
-  ids[n_faces + 1] = fresh[1];
-  write_star(m, apex, n_faces, faces, n_sides, sides, ids);
+  GMDS_TRY(take_star(m, n_faces, n_sides, &plan, fresh));
+  number_star(&plan, n_faces, faces, n_sides, sides, fresh, ids);
+  write_star(m, &plan, apex, n_faces, faces, n_sides, sides, ids);
   return GMDS_OK;
 }
 
@@ -329,7 +422,7 @@ static inline void star_of(mesh *m, gmds_id apex, size_t n_faces, const gmds_cav
 {
   for (size_t i = 0; i < n_faces; i++)
     ids[i] = faces[i].face;
-  write_star(m, apex, n_faces, faces, n_sides, sides, ids);
+  write_star(m, NULL, apex, n_faces, faces, n_sides, sides, ids);
 }
 #  endif
 #endif
