@@ -66,6 +66,7 @@ _Static_assert(GMDS_ADDS_FACES,
 #  define insert_strip GMDS_FN(insert_strip)
 #  define set_up_threads GMDS_FN(set_up_threads)
 #  define insert_strips GMDS_FN(insert_strips)
+#  define insert_stage GMDS_FN(insert_stage)
 #  define insert_by_threads GMDS_FN(insert_by_threads)
 #  define first_part GMDS_FN(first_part)
 #  define clear_insertion GMDS_FN(clear_insertion)
@@ -114,6 +115,7 @@ _Static_assert(GMDS_ADDS_FACES,
 #  undef insert_strip
 #  undef set_up_threads
 #  undef insert_strips
+#  undef insert_stage
 #  undef insert_by_threads
 #  undef first_part
 #  undef clear_insertion

@@ -8,11 +8,12 @@
  *   - a thread reads the neighbours of faces that are its own, and the nodes of faces that share two nodes with such a
  *     face: these are its own too or have nodes of several threads, and then nobody writes them.
  * The ghost counts as everyone's node. What was put off is cut into strips across, and the little that is left goes in by
- * one thread. The triangulation is unique, so that it does not depend on any of this; the numbering of faces depends on
+ * one thread. This is done in stages, of which each inserts seven times the points there are. The triangulation is unique, so that it does not depend on any of this; the numbering of faces depends on
  * the number of threads alone. */
 #if GMDS_CONCURRENT_STARS
 
 #  define GMDS__SAMPLE 1024
+#  define GMDS__STAGE_RATIO 8 /* that of the rounds of the order (geometry/order.c) */
 
 /* The work of all threads. */
 typedef struct concurrent {
@@ -149,11 +150,11 @@ static inline void insert_strip(void *work, unsigned t)
     c->kept[t] = kept;
 }
 
-/* Sets all threads up. The ranges of faces are dealt out in pieces, two faces a point; an empty piece ends a thread's. */
-static inline void set_up_threads(concurrent *c, size_t n_ranges, const face_range *ranges, face_range *piece)
+/* Sets all threads up. Faces are dealt out from the front of the ranges, two a point, in pieces; an empty piece ends a
+ * thread's. What is left of the ranges begins at ranges[value]. */
+static inline size_t set_up_threads(concurrent *c, face_range *ranges, face_range *piece)
 {
   size_t r = 0, used = 0;
-  gmds_id first = n_ranges ? ranges[0].first : 0;
   for (unsigned t = 0; t < c->threads; t++) {
     size_t need = 2 * (c->begin[t + 1] - c->begin[t]);
     c->status[t] = GMDS_OK;
@@ -162,80 +163,100 @@ static inline void set_up_threads(concurrent *c, size_t n_ranges, const face_ran
     c->in[t].fresh = (face_range){0, 0};
     c->in[t].more = piece + used;
     while (need) {
-      while (first == ranges[r].end)
-        first = ranges[++r].first;
-      size_t here = (size_t)(ranges[r].end - first) < need ? (size_t)(ranges[r].end - first) : need;
-      piece[used++] = (face_range){first, first + (gmds_id)here};
-      first += (gmds_id)here;
+      size_t here = (size_t)(ranges[r].end - ranges[r].first);
+      here = here < need ? here : need;
+      piece[used++] = (face_range){ranges[r].first, ranges[r].first + (gmds_id)here};
+      ranges[r].first += (gmds_id)here;
+      r += ranges[r].first == ranges[r].end;
       need -= here;
     }
     piece[used++] = (face_range){0, 0};
   }
+  return r;
 }
 
-/* One round of all threads over the points todo[0 .. n). Those put off are todo[0 .. n) then, and the faces left over
- * are ranges[0 .. *n_ranges). */
-static inline gmds_status insert_strips(concurrent *c, int axis, size_t *n_ranges, face_range *ranges,
-                                        face_range *piece)
+/* One round of all threads over the points todo[0 .. n). Those put off are todo[0 .. n) then, and the faces that were not
+ * used are the ranges, which an empty one ends. */
+static inline gmds_status insert_strips(concurrent *c, int axis, face_range *ranges)
 {
+  face_range pieces[4 * GMDS_MAX_THREADS + 4], rest[4 * GMDS_MAX_THREADS + 4];
   cut_strips(c, axis);
-  set_up_threads(c, *n_ranges, ranges, piece);
+  size_t r = set_up_threads(c, ranges, pieces), n = 0, n_rest = 0;
   gmds_share(c->threads, insert_strip, c);
-  size_t n = 0, r = 0;
   for (unsigned t = 0; t < c->threads; t++) {
     GMDS_TRY(c->status[t]);
     memmove(c->todo + n, c->dealt + c->begin[t], c->kept[t] * sizeof *c->todo);
     n += c->kept[t];
     const insertion *in = &c->in[t];
     if (in->fresh.first < in->fresh.end)
-      ranges[r++] = in->fresh;
+      rest[n_rest++] = in->fresh;
     for (const face_range *more = in->more; more->first < more->end; more++)
-      ranges[r++] = *more;
+      rest[n_rest++] = *more;
   }
   if (c->stopped)
     return GMDS_ERR_CANCELLED;
+  for (; ranges[r].first < ranges[r].end; r++)
+    rest[n_rest++] = ranges[r];
+  memcpy(ranges, rest, n_rest * sizeof *ranges);
+  ranges[n_rest] = (face_range){0, 0};
   c->n = n;
-  *n_ranges = r;
   return GMDS_OK;
 }
 
-/* Inserts nodes first, first + 1, ... but `third` into the triangulation of those before, which in[0] made; in[1], ... are
- * empty. */
+/* Inserts nodes first to end - 1 but `third`, a sample of the curve, into the triangulation of those before. */
+static inline gmds_status insert_stage(concurrent *c, gmds_id first, gmds_id end, gmds_id third)
+{
+  insertion *in = c->in;
+  const unsigned threads = c->threads;
+  face_range ranges[4 * GMDS_MAX_THREADS + 4] = {in->fresh, {0, 0}};
+  c->sampled = in->fresh.first;
+  c->n = 0;
+  for (gmds_id v = first; v < end; v++)
+    if (v != third)
+      c->todo[c->n++] = v;
+  for (int axis = 0; axis < 2 && c->n > 0; axis++)
+    GMDS_TRY(insert_strips(c, axis, ranges));
+  in->fresh = (face_range){0, 0};
+  in->more = ranges;
+  c->threads = 1;
+  if (c->n > 0 && !find_start(c, 0))
+    return GMDS_ERR_INVARIANT;
+  for (size_t i = 0; i < c->n; i++)
+    GMDS_TRY(insert_alone(in, c->todo[i]));
+  c->threads = threads;
+  if (in->fresh.first == in->fresh.end)
+    in->fresh = *in->more; /* what the other stages need */
+  return GMDS_OK;
+}
+
+/* Inserts the nodes from `first` on, but `third`, into the triangulation of those before, which in[0] made; in[1], ...
+ * are empty. Each stage has as many points as make a sample of the next: the finer the faces, the fewer have nodes of
+ * several threads. */
 static inline gmds_status insert_by_threads(unsigned threads, insertion *in, gmds_id first, gmds_id third,
                                             const gmds_delaunay_options *options)
 {
   mesh *m = in->m;
   gmds_memory *memory = mesh_memory(m);
-  size_t end = in->ghost, room = end - first, n_ranges = 1;
+  const gmds_id end = in->ghost;
+  size_t room = end - first;
   void *todo = NULL, *dealt = NULL, *count = NULL;
-  face_range ranges[4 * GMDS_MAX_THREADS], pieces[6 * GMDS_MAX_THREADS];
-  concurrent c = {.threads = threads, .in = in, .options = options, .sampled = in->fresh.first};
+  concurrent c = {.threads = threads, .in = in, .options = options};
   gmds_status status = GMDS_ERR_MEMORY;
   if (gmds_resize(memory, &todo, 0, room, sizeof *c.todo) && gmds_resize(memory, &dealt, 0, room, sizeof *c.dealt) &&
       gmds_resize(memory, &count, 0, threads, sizeof *c.count)) {
     c.todo = todo;
     c.dealt = dealt;
     c.count = count;
-    for (gmds_id v = first; v < end; v++)
-      if (v != third)
-        c.todo[c.n++] = v;
     status = GMDS_OK;
     for (unsigned t = 0; t < threads && status == GMDS_OK; t++) {
       in[t].m = m;
       in[t].ghost = in->ghost;
       status = reserve_cavity(&in[t], 256);
     }
-    ranges[0] = in->fresh;
-    for (int axis = 0; axis < 2 && c.n > 0 && status == GMDS_OK; axis++)
-      status = insert_strips(&c, axis, &n_ranges, ranges, pieces);
-    ranges[n_ranges] = (face_range){0, 0};
-    in->fresh = (face_range){0, 0};
-    in->more = ranges;
-    c.threads = 1;
-    if (status == GMDS_OK && c.n > 0 && !find_start(&c, 0))
-      status = GMDS_ERR_INVARIANT;
-    for (size_t i = 0; i < c.n && status == GMDS_OK; i++)
-      status = insert_alone(in, c.todo[i]);
+    for (gmds_id next; first < end && status == GMDS_OK; first = next) {
+      next = first < end / GMDS__STAGE_RATIO ? first * GMDS__STAGE_RATIO : end;
+      status = insert_stage(&c, first, next, third);
+    }
   }
   gmds_release(memory, todo, todo ? room : 0, sizeof *c.todo);
   gmds_release(memory, dealt, dealt ? room : 0, sizeof *c.dealt);
@@ -244,4 +265,5 @@ static inline gmds_status insert_by_threads(unsigned threads, insertion *in, gmd
 }
 
 #  undef GMDS__SAMPLE
+#  undef GMDS__STAGE_RATIO
 #endif

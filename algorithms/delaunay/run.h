@@ -32,11 +32,12 @@ static inline gmds_status first_triangle(insertion *in, gmds_id *third)
 #endif
 }
 
-/* How many of n points go in before the threads begin: a few rounds of the order, at least as many as make the faces
- * that belong to several threads few. */
-static inline size_t first_part(size_t n)
+/* How many of n points go in before the threads begin: a few rounds of the order. */
+static inline size_t first_part(size_t n, unsigned threads)
 {
-  return n < 1 << 19 ? n / 8 : n / 64;
+  while (n > 1024 * (size_t)threads)
+    n = (n + 7) / 8;
+  return n;
 }
 
 static inline gmds_status insert_all(insertion *in, unsigned threads, const gmds_delaunay_options *options)
@@ -50,7 +51,7 @@ static inline gmds_status insert_all(insertion *in, unsigned threads, const gmds
   if (third == GMDS_NONE)
     return GMDS_OK;
   if (threads > 1)
-    alone = first_part(n);
+    alone = first_part(n, threads);
   for (gmds_id v = 2; v < alone; v++) {
     if (v % EVERY == 0 && options && options->progress && options->progress(options->user, v, n))
       return GMDS_ERR_CANCELLED;
