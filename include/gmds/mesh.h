@@ -31,6 +31,7 @@
 #  include <gmds/hops.h>
 #  include <gmds/ids.h>
 #  include <gmds/models/choice.h>
+#  include <gmds/parts.h>
 #  include <gmds/relations.h>
 #  include <gmds/rows.h>
 #  include <gmds/soup.h>
@@ -61,5 +62,6 @@
 #  include <gmds/models/incidence/compact.h>
 #  include <gmds/models/incidence/check.h>
 #  include <gmds/models/incidence/exchange.h>
+#  include <gmds/models/incidence/convert.h>
 
 #endif /* neither open nor C++ */

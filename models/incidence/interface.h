@@ -255,6 +255,20 @@ static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *
 static inline gmds_status to_soup(const mesh *m, gmds_soup *soup);
 #endif
 
+/* Hands over all that the mesh holds, in constant time: cells, points, attributes, relations, and its memory with the
+ * counts, so that `peak` goes on in whoever takes them. What `parts` (initialised, see parts.h) held is freed. The mesh is
+ * empty and usable. Lists of the caller that took their memory from the mesh (mesh_memory) are cleared before. */
+static inline void give_parts(mesh *m, gmds_parts *parts);
+
+/* Makes an empty mesh of this model hold the parts that a mesh of any model gave. What both models store is moved, what
+ * this one stores more is built, what it stores less is freed. Cells keep their identifiers and attributes; edges go where
+ * this model keeps none, and come, one for each two nodes that a face joins, where the other had none. What the mesh held
+ * (room, attributes without values) is freed, its memory becomes that of the parts.
+ * GMDS_OK (no parts are left); GMDS_ERR_ARGUMENT (the mesh is not empty, or there are no parts) or any status of
+ * gmds_parts_convert: mesh and parts are as they were, and the mesh that gave the parts can take them again, which
+ * allocates nothing. `error` may be NULL. O(cells and entries); constant time where both models store the same. */
+static inline gmds_status take_parts(mesh *m, gmds_parts *parts, gmds_error *error);
+
 /* The checksum of the faces (checksum.h). GMDS_OK or GMDS_ERR_MEMORY. O(mesh). */
 #if GMDS__CAN_2_0
 static inline gmds_status checksum(const mesh *m, gmds_memory *memory, uint64_t *sum);

@@ -116,3 +116,6 @@
 #define find_attribute GMDS_FN(find_attribute)
 #define remove_attribute GMDS_FN(remove_attribute)
 #define check_nodes GMDS_FN(check_nodes)
+#define mesh_layout GMDS_FN(mesh_layout)
+#define give_parts GMDS_FN(give_parts)
+#define take_parts GMDS_FN(take_parts)

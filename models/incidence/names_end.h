@@ -137,4 +137,7 @@
 #undef find_attribute
 #undef remove_attribute
 #undef check_nodes
+#undef mesh_layout
+#undef give_parts
+#undef take_parts
 #undef GMDS_ADDS_FACES

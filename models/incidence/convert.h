@@ -1,0 +1,71 @@
+/* A mesh as parts, and back: columns are handed over as they are; parts.h converts them. */
+
+static inline gmds_layout mesh_layout(const mesh *m)
+{
+  gmds_layout l = {.mask = GMDS__MASK,
+                   .faces = GMDS__TRIANGLES | GMDS__QUADRILATERALS << 1 | GMDS__POLYGONS << 2,
+                   .dim = GMDS__DIM,
+                   .limit = {m->cells[0].limit, m->cells[1].limit, m->cells[2].limit}};
+#define GMDS__SET_HOW(i, j) l.relation[i][j] = (gmds_stored){.storage = GMDS_IN_ROWS};
+#define GMDS__ORDERED_HOW(i, j) l.relation[i][j] = (gmds_stored){.storage = GMDS_IN_ROWS, .ordered = 1};
+#define GMDS__INLINE_HOW(i, j) \
+  l.relation[i][j] = (gmds_stored){GMDS_IN_COLUMN, GMDS__ARITY_##i, 0, GMDS__CODED && i == 2 && j == 2};
+  GMDS__EACH_SET(GMDS__SET_HOW)
+  GMDS__EACH_ORDERED(GMDS__ORDERED_HOW)
+  GMDS__EACH_INLINE(GMDS__INLINE_HOW)
+#undef GMDS__SET_HOW
+#undef GMDS__ORDERED_HOW
+#undef GMDS__INLINE_HOW
+  return l;
+}
+
+static inline void give_parts(mesh *m, gmds_parts *parts)
+{
+  const gmds_allocator allocator = m->memory.allocator;
+  const size_t limit = m->memory.limit;
+  gmds_ids_clear(&m->plan);
+  gmds_ids_clear(&m->found);
+  gmds_parts_clear(parts);
+  parts->memory = m->memory;
+  parts->layout = mesh_layout(m);
+  for (int i = 0; i < 3; i++) {
+    parts->cells[i] = m->cells[i];
+    parts->cells[i].alive.memory = &parts->memory;
+    for (int j = 0; j < 3; j++)
+      parts->relation[i][j].how = parts->layout.relation[i][j];
+  }
+  parts->points = m->points;
+  parts->points_capacity = m->points_capacity;
+#define GMDS__GIVE_ROWS(i, j) parts->relation[i][j].rows = m->r_##i##_##j;
+#define GMDS__GIVE_INLINE(i, j) parts->relation[i][j].column = m->r_##i##_##j;
+  GMDS__EACH_POOLED(GMDS__GIVE_ROWS)
+  GMDS__EACH_INLINE(GMDS__GIVE_INLINE)
+#undef GMDS__GIVE_ROWS
+#undef GMDS__GIVE_INLINE
+  mesh_init(m, &allocator);
+  m->memory.limit = limit;
+}
+
+static inline gmds_status take_parts(mesh *m, gmds_parts *parts, gmds_error *error)
+{
+  if (m->cells[0].count || m->cells[1].count || m->cells[2].count)
+    return gmds_fail(error, GMDS_ERR_ARGUMENT, "the mesh that is to take the parts is not empty");
+  const gmds_layout to = mesh_layout(m);
+  GMDS_TRY(gmds_parts_convert(parts, &to, error));
+  mesh_clear(m);
+  m->memory = parts->memory;
+  for (int i = 0; i < 3; i++) {
+    m->cells[i] = parts->cells[i];
+    m->cells[i].alive.memory = &m->memory;
+  }
+  m->points = parts->points;
+  m->points_capacity = parts->points_capacity;
+#define GMDS__TAKE_ROWS(i, j) m->r_##i##_##j = parts->relation[i][j].rows;
+#define GMDS__TAKE_INLINE(i, j) m->r_##i##_##j = parts->relation[i][j].column;
+  GMDS__EACH_POOLED(GMDS__TAKE_ROWS)
+  GMDS__EACH_INLINE(GMDS__TAKE_INLINE)
+#undef GMDS__TAKE_ROWS
+#undef GMDS__TAKE_INLINE
+  gmds_parts_init(parts);
+  return GMDS_OK;
+}
