@@ -22,28 +22,25 @@ int mask_makes_edges(unsigned mask)
   return mask_links_edges(mask) || (mask & bounds) != 0;
 }
 
-void derive_begin(derived *d, gmds_parts *from, int makes_edges, size_t limit, gmds_error *error)
+void derive_begin(derived *d, const gmds_parts *from, gmds_memory *memory, gmds_error *error)
 {
   memset(d, 0, sizeof *d);
   d->from = from;
+  d->memory = memory;
   d->error = error;
-  d->limit = limit;
-  d->makes_edges = makes_edges;
   d->end_edges = from->cells[1].end;
-  d->edges.memory = &from->memory;
-  gmds_csr_init(&d->nodes.csr, &from->memory);
-  gmds_csr_init(&d->aligned.csr, &from->memory);
+  gmds_csr_init(&d->nodes.csr, memory);
+  gmds_csr_init(&d->aligned.csr, memory);
 }
 
 void derive_end(derived *d)
 {
-  gmds_memory *memory = &d->from->memory;
+  gmds_memory *memory = d->memory;
   gmds_release(memory, d->edge_of_group, d->edge_of_group ? d->n_groups : 0, sizeof(gmds_id));
   gmds_release(memory, d->group, d->group ? d->n_grouped : 0, sizeof(gmds_id));
   gmds_column_clear(&d->ends.column, memory);
   gmds_csr_clear(&d->nodes.csr);
   gmds_csr_clear(&d->aligned.csr);
-  gmds_bits_clear(&d->edges);
 }
 
 view derive_stored(const derived *d, int i, int j)
@@ -71,7 +68,7 @@ static gmds_status no_memory(derived *d)
 static gmds_status take(derived *d, size_t n, gmds_id **ids)
 {
   void *block = NULL;
-  if (!gmds_resize(&d->from->memory, &block, 0, n, sizeof **ids))
+  if (!gmds_resize(d->memory, &block, 0, n, sizeof **ids))
     return GMDS_ERR_MEMORY;
   if (n)
     memset(block, 0xff, n * sizeof **ids);
@@ -81,7 +78,7 @@ static gmds_status take(derived *d, size_t n, gmds_id **ids)
 
 static void give(derived *d, gmds_id *ids, size_t n)
 {
-  gmds_release(&d->from->memory, ids, ids ? n : 0, sizeof *ids);
+  gmds_release(d->memory, ids, ids ? n : 0, sizeof *ids);
 }
 
 /* ---- the nodes of edges */
@@ -257,7 +254,7 @@ gmds_status derive_nodes_of_faces(derived *d)
   else if (derive_stores(d, 0, 2))
     GMDS_TRY(nodes_from_nodes(d));
   else if (!d->from->cells[2].count) {
-    view none = {.csr = {.memory = &d->from->memory}};
+    view none = {.csr = {.memory = d->memory}};
     GMDS_TRY(begin_nodes(d, &none, &d->nodes.csr));
   } else
     return gmds_fail(d->error, GMDS_ERR_UNSUPPORTED,
@@ -305,7 +302,7 @@ static void put_all(const derived *d, buckets *b)
 static gmds_status fill_buckets(derived *d, buckets *b)
 {
   void *begin = NULL;
-  if (!gmds_resize(&d->from->memory, &begin, 0, b->n_nodes + 1, sizeof *b->begin))
+  if (!gmds_resize(d->memory, &begin, 0, b->n_nodes + 1, sizeof *b->begin))
     return no_memory(d);
   b->begin = begin;
   memset(b->begin, 0, (b->n_nodes + 1) * sizeof *b->begin);
@@ -358,7 +355,7 @@ gmds_status derive_groups(derived *d)
     status = fill_buckets(d, &b);
   if (status == GMDS_OK)
     number_groups(d, &b);
-  gmds_release(&d->from->memory, b.begin, b.begin ? b.n_nodes + 1 : 0, sizeof *b.begin);
+  gmds_release(d->memory, b.begin, b.begin ? b.n_nodes + 1 : 0, sizeof *b.begin);
   give(d, b.entry, b.total);
   give(d, b.other, b.total);
   give(d, b.latest, b.n_nodes);
@@ -380,7 +377,7 @@ static int same_set(const gmds_id *a, size_t n_a, const gmds_id *b, size_t n_b)
 /* The relation from cells of dimension 1 to 2, or 2 to 1: stored, or the inverse of the stored one. */
 static gmds_status between(derived *d, int i, int j, view *v)
 {
-  *v = (view){.csr = {.memory = &d->from->memory}};
+  *v = (view){.csr = {.memory = d->memory}};
   if (derive_stores(d, i, j)) {
     *v = derive_stored(d, i, j);
     return GMDS_OK;
@@ -389,20 +386,29 @@ static gmds_status between(derived *d, int i, int j, view *v)
   return derive_inverse(d, j, &inverse, d->from->cells[i].end, &v->csr);
 }
 
-/* The faces of each group of sides. */
-static gmds_status faces_of_groups(derived *d, gmds_csr *csr)
+gmds_status derive_faces_of_groups(derived *d, gmds_csr *csr)
 {
   const gmds_cells *faces = &d->from->cells[2];
   gmds_csr groups;
-  gmds_csr_init(&groups, csr->memory);
-  gmds_status status = begin_nodes(d, &d->nodes, &groups);
-  for (gmds_id f = 0; status == GMDS_OK && f < faces->end; f++)
-    for (size_t k = groups.begin[f], side = view_base(&d->nodes, f); k < groups.begin[f + 1]; k++)
-      groups.data[k] = d->group[side++];
-  if (status == GMDS_OK)
+  gmds_status status = GMDS_OK;
+  GMDS_TRY(derive_groups(d));
+  const gmds_part *part = d->nodes.part;
+  if (part && part->how.storage == GMDS_IN_COLUMN) /* the groups lie as the nodes do */
+    status = gmds_invert_inline(d->group, part->how.arity, &faces->alive, faces->end, d->n_groups, csr);
+  else if (!part) {
+    groups = (gmds_csr){.n = d->nodes.csr.n, .begin = d->nodes.csr.begin, .data = d->group};
     status = gmds_invert_csr(&groups, d->n_groups, csr);
-  gmds_csr_clear(&groups);
-  return status;
+  } else {
+    gmds_csr_init(&groups, d->memory);
+    status = begin_nodes(d, &d->nodes, &groups);
+    for (gmds_id f = 0; status == GMDS_OK && f < faces->end; f++)
+      for (size_t k = groups.begin[f], side = view_base(&d->nodes, f); k < groups.begin[f + 1]; k++)
+        groups.data[k] = d->group[side++];
+    if (status == GMDS_OK)
+      status = gmds_invert_csr(&groups, d->n_groups, csr);
+    gmds_csr_clear(&groups);
+  }
+  return status == GMDS_OK ? status : no_memory(d);
 }
 
 /* Edges that know no node are told by their faces alone: each group of sides takes an edge that bounds just its faces.
@@ -434,7 +440,7 @@ static gmds_status match_edges(derived *d, const view *edges_of_face, const view
 
 static gmds_status edges_from_faces(derived *d)
 {
-  gmds_memory *memory = &d->from->memory;
+  gmds_memory *memory = d->memory;
   view edges_of_face = {.csr = {.memory = memory}}, faces_of_edge = edges_of_face;
   gmds_csr faces_of_group;
   gmds_bits taken = {.memory = memory};
@@ -443,7 +449,7 @@ static gmds_status edges_from_faces(derived *d)
   if (status == GMDS_OK)
     status = between(d, 1, 2, &faces_of_edge);
   if (status == GMDS_OK)
-    status = faces_of_groups(d, &faces_of_group);
+    status = derive_faces_of_groups(d, &faces_of_group);
   if (status == GMDS_OK)
     status = gmds_bits_init(&taken, memory, d->end_edges);
   status = status == GMDS_OK ? match_edges(d, &edges_of_face, &faces_of_edge, &faces_of_group, &taken) : no_memory(d);
@@ -458,9 +464,6 @@ static gmds_status make_edges(derived *d)
 {
   if (d->n_groups > d->limit)
     return gmds_fail(d->error, GMDS_ERR_TOO_MANY, "%zu edges are more than the model may have", d->n_groups);
-  if (gmds_bits_resize(&d->edges, d->n_groups) != GMDS_OK)
-    return no_memory(d);
-  gmds_bits_fill(&d->edges, d->n_groups);
   d->end_edges = d->n_groups;
   for (size_t g = 0; g < d->n_groups; g++)
     d->edge_of_group[g] = (gmds_id)g;

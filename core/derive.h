@@ -42,12 +42,12 @@ static inline size_t view_extent(const view *v)
 }
 
 typedef struct derived {
-  gmds_parts *from;
+  const gmds_parts *from;
+  gmds_memory *memory; /* of all that is derived */
   gmds_error *error;
   size_t limit;     /* of edges that are made */
   int makes_edges;  /* there are none yet: one for each group of sides */
   size_t end_edges; /* identifiers of edges, once they are made too */
-  gmds_bits edges;  /* which are alive */
   int knows[4];     /* which of the following are there */
   view nodes;       /* of faces, in order */
   view aligned;     /* edges of faces: entry k is that of side k; else edge_of_group says */
@@ -61,7 +61,7 @@ typedef struct derived {
   gmds_id *edge_of_group;
 } derived;
 
-void derive_begin(derived *d, gmds_parts *from, int makes_edges, size_t limit, gmds_error *error);
+void derive_begin(derived *d, const gmds_parts *from, gmds_memory *memory, gmds_error *error);
 void derive_end(derived *d);
 
 /* Whether the parts store i2j; whether a mask links edges with nodes; whether its faces make edges. */
@@ -74,6 +74,9 @@ gmds_status derive_nodes_of_faces(derived *d);
 gmds_status derive_groups(derived *d);
 gmds_status derive_edges_of_sides(derived *d); /* for side_edge */
 gmds_status derive_ends(derived *d);           /* all known */
+
+/* The faces of each group of sides. */
+gmds_status derive_faces_of_groups(derived *d, gmds_csr *csr);
 
 /* The edge of side k of face f. */
 static inline gmds_id side_edge(const derived *d, size_t f, size_t k)

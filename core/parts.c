@@ -63,7 +63,7 @@ static gmds_status no_memory(gmds_error *error, gmds_status status)
 static gmds_status store_csr(derived *d, gmds_csr *csr, size_t n, gmds_part *part)
 {
   gmds_rows_init(&part->rows, part->how.ordered);
-  gmds_status status = gmds_rows_adopt(&part->rows, &d->from->memory, n, csr->begin, csr->n, &csr->data, csr->capacity);
+  gmds_status status = gmds_rows_adopt(&part->rows, d->memory, n, csr->begin, csr->n, &csr->data, csr->capacity);
   if (!csr->data)
     csr->capacity = 0;
   gmds_csr_clear(csr);
@@ -186,7 +186,7 @@ static gmds_status fill_set(derived *d, int i, int j, int by_ends, const gmds_cs
 static gmds_status build_set(derived *d, int i, int j, int to_links, size_t n, gmds_part *part)
 {
   gmds_csr csr, edges_of_node;
-  gmds_csr_init(&csr, &d->from->memory);
+  gmds_csr_init(&csr, d->memory);
   gmds_csr_init(&edges_of_node, csr.memory);
   gmds_status status = GMDS_OK;
   if (j == 2 && derive_stores(d, 2, i)) { /* the inverse of what is stored, whatever its order */
@@ -218,7 +218,7 @@ static gmds_status build_set(derived *d, int i, int j, int to_links, size_t n, g
 static gmds_status build_ends(derived *d, size_t n, gmds_part *part)
 {
   GMDS_TRY(derive_ends(d));
-  if (gmds_column_resize(&part->column, &d->from->memory, 2 * n) != GMDS_OK)
+  if (gmds_column_resize(&part->column, d->memory, 2 * n) != GMDS_OK)
     return no_memory(d->error, GMDS_ERR_MEMORY);
   if (d->end_edges)
     memcpy(part->column.data, d->end_of_edge, 2 * d->end_edges * sizeof *d->end_of_edge);
@@ -233,8 +233,8 @@ typedef struct opposite {
 
 static void clear_opposite(derived *d, opposite *o)
 {
-  gmds_release(&d->from->memory, o->side, o->side ? o->n : 0, sizeof *o->side);
-  gmds_release(&d->from->memory, o->face, o->face ? o->n : 0, sizeof *o->face);
+  gmds_release(d->memory, o->side, o->side ? o->n : 0, sizeof *o->side);
+  gmds_release(d->memory, o->face, o->face ? o->n : 0, sizeof *o->face);
 }
 
 static gmds_status find_opposite(derived *d, opposite *o)
@@ -243,9 +243,9 @@ static gmds_status find_opposite(derived *d, opposite *o)
   void *side = NULL, *face = NULL;
   GMDS_TRY(derive_groups(d));
   o->n = 2 * d->n_groups;
-  if (gmds_resize(&d->from->memory, &side, 0, o->n, sizeof *o->side))
+  if (gmds_resize(d->memory, &side, 0, o->n, sizeof *o->side))
     o->side = side;
-  if (gmds_resize(&d->from->memory, &face, 0, o->n, sizeof *o->face))
+  if (gmds_resize(d->memory, &face, 0, o->n, sizeof *o->face))
     o->face = face;
   if (o->n && (!side || !face))
     return no_memory(d->error, GMDS_ERR_MEMORY);
@@ -284,7 +284,7 @@ static gmds_status fill_column(derived *d, const opposite *o, int j, size_t n, g
 {
   const gmds_cells *faces = &d->from->cells[2];
   size_t arity = part->how.arity;
-  if (gmds_column_resize(&part->column, &d->from->memory, arity * n) != GMDS_OK)
+  if (gmds_column_resize(&part->column, d->memory, arity * n) != GMDS_OK)
     return no_memory(d->error, GMDS_ERR_MEMORY);
   for (gmds_id f = gmds_cells_next(faces, 0); f != GMDS_NONE; f = gmds_cells_next(faces, f + 1))
     for (size_t k = 0; k < arity; k++)
@@ -296,7 +296,7 @@ static gmds_status fill_rows(derived *d, const opposite *o, int j, size_t n, gmd
 {
   const gmds_cells *faces = &d->from->cells[2];
   gmds_csr csr;
-  gmds_csr_init(&csr, &d->from->memory);
+  gmds_csr_init(&csr, d->memory);
   gmds_status status = begin_csr(d, faces->end, &csr);
   for (int pass = 0; pass < 2 && status == GMDS_OK; pass++) {
     for (gmds_id f = gmds_cells_next(faces, 0); f != GMDS_NONE; f = gmds_cells_next(faces, f + 1)) {
@@ -362,7 +362,7 @@ static gmds_status check_cells(derived *d, const gmds_layout *to)
   return GMDS_OK;
 }
 
-static gmds_status build(derived *d, const gmds_layout *to, gmds_part fresh[3][3])
+static gmds_status build(derived *d, gmds_parts *parts, const gmds_layout *to, gmds_part fresh[3][3])
 {
   const gmds_cells *cells = d->from->cells;
   GMDS_TRY(check_cells(d, to));
@@ -382,7 +382,7 @@ static gmds_status build(derived *d, const gmds_layout *to, gmds_part fresh[3][3
         GMDS_TRY(build_set(d, i, j, mask_links_edges(to->mask), n, &fresh[i][j]));
     }
   if (d->makes_edges && d->end_edges > cells[1].capacity) {
-    gmds_status status = gmds_cells_resize(&d->from->cells[1], d->end_edges);
+    gmds_status status = gmds_cells_resize(&parts->cells[1], d->end_edges);
     if (status != GMDS_OK)
       return no_memory(d->error, status);
   }
@@ -390,9 +390,8 @@ static gmds_status build(derived *d, const gmds_layout *to, gmds_part fresh[3][3
 }
 
 /* Cannot fail. */
-static void commit(derived *d, const gmds_layout *to, gmds_part fresh[3][3])
+static void commit(const derived *d, gmds_parts *parts, const gmds_layout *to, gmds_part fresh[3][3])
 {
-  gmds_parts *parts = d->from;
   gmds_cells *edges = &parts->cells[1];
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)
@@ -416,12 +415,13 @@ gmds_status gmds_parts_convert(gmds_parts *parts, const gmds_layout *to, gmds_er
 {
   gmds_part fresh[3][3];
   derived d;
-  int makes = mask_makes_edges(to->mask) && !mask_makes_edges(parts->layout.mask);
   memset(fresh, 0, sizeof fresh);
-  derive_begin(&d, parts, makes, to->limit[1], error);
-  gmds_status status = build(&d, to, fresh);
+  derive_begin(&d, parts, &parts->memory, error);
+  d.makes_edges = mask_makes_edges(to->mask) && !mask_makes_edges(parts->layout.mask);
+  d.limit = to->limit[1];
+  gmds_status status = build(&d, parts, to, fresh);
   if (status == GMDS_OK)
-    commit(&d, to, fresh);
+    commit(&d, parts, to, fresh);
   else
     for (int i = 0; i < 3; i++)
       for (int j = 0; j < 3; j++)

@@ -58,10 +58,10 @@
 #  include <gmds/models/incidence/add.h>
 #  include <gmds/models/incidence/remove.h>
 #  include <gmds/models/incidence/star.h>
+#  include <gmds/models/incidence/convert.h>
 #  include <gmds/models/incidence/bulk.h>
 #  include <gmds/models/incidence/compact.h>
 #  include <gmds/models/incidence/check.h>
 #  include <gmds/models/incidence/exchange.h>
-#  include <gmds/models/incidence/convert.h>
 
 #endif /* neither open nor C++ */

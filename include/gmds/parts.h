@@ -6,7 +6,7 @@
 #define GMDS_PARTS_H
 
 #include <gmds/cells.h>
-#include <gmds/rows.h>
+#include <gmds/hops.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -64,6 +64,11 @@ void gmds_parts_clear(gmds_parts *parts);
  * parts are as they were and `error`, which may be NULL, has a sentence. O(cells and entries); where edges know no node
  * also the squares of the numbers of sides. */
 gmds_status gmds_parts_convert(gmds_parts *parts, const gmds_layout *to, gmds_error *error);
+
+/* Reads parts (which may be a mesh's own, looked at and not owned) by the sides of faces: 2 -> 2, or 0 -> 0 where no
+ * edge is linked with nodes, or 2 -> 1 or 1 -> 2 where edges are, of all cells at once. The csr is initialised and empty.
+ * GMDS_OK or any status of gmds_parts_convert (the csr stays empty). O(cells and entries). */
+gmds_status gmds_parts_over_sides(const gmds_parts *parts, int i, int j, gmds_csr *csr);
 
 #ifdef __cplusplus
 }

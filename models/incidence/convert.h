@@ -19,6 +19,26 @@ static inline gmds_layout mesh_layout(const mesh *m)
   return l;
 }
 
+/* Lets `parts` name what the mesh holds. */
+static inline void view_parts(const mesh *m, gmds_parts *parts)
+{
+  parts->memory = m->memory;
+  parts->layout = mesh_layout(m);
+  for (int i = 0; i < 3; i++) {
+    parts->cells[i] = m->cells[i];
+    for (int j = 0; j < 3; j++)
+      parts->relation[i][j].how = parts->layout.relation[i][j];
+  }
+  parts->points = m->points;
+  parts->points_capacity = m->points_capacity;
+#define GMDS__VIEW_ROWS(i, j) parts->relation[i][j].rows = m->r_##i##_##j;
+#define GMDS__VIEW_INLINE(i, j) parts->relation[i][j].column = m->r_##i##_##j;
+  GMDS__EACH_POOLED(GMDS__VIEW_ROWS)
+  GMDS__EACH_INLINE(GMDS__VIEW_INLINE)
+#undef GMDS__VIEW_ROWS
+#undef GMDS__VIEW_INLINE
+}
+
 static inline void give_parts(mesh *m, gmds_parts *parts)
 {
   const gmds_allocator allocator = m->memory.allocator;
@@ -26,22 +46,9 @@ static inline void give_parts(mesh *m, gmds_parts *parts)
   gmds_ids_clear(&m->plan);
   gmds_ids_clear(&m->found);
   gmds_parts_clear(parts);
-  parts->memory = m->memory;
-  parts->layout = mesh_layout(m);
-  for (int i = 0; i < 3; i++) {
-    parts->cells[i] = m->cells[i];
+  view_parts(m, parts);
+  for (int i = 0; i < 3; i++)
     parts->cells[i].alive.memory = &parts->memory;
-    for (int j = 0; j < 3; j++)
-      parts->relation[i][j].how = parts->layout.relation[i][j];
-  }
-  parts->points = m->points;
-  parts->points_capacity = m->points_capacity;
-#define GMDS__GIVE_ROWS(i, j) parts->relation[i][j].rows = m->r_##i##_##j;
-#define GMDS__GIVE_INLINE(i, j) parts->relation[i][j].column = m->r_##i##_##j;
-  GMDS__EACH_POOLED(GMDS__GIVE_ROWS)
-  GMDS__EACH_INLINE(GMDS__GIVE_INLINE)
-#undef GMDS__GIVE_ROWS
-#undef GMDS__GIVE_INLINE
   mesh_init(m, &allocator);
   m->memory.limit = limit;
 }

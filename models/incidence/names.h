@@ -117,5 +117,7 @@
 #define remove_attribute GMDS_FN(remove_attribute)
 #define check_nodes GMDS_FN(check_nodes)
 #define mesh_layout GMDS_FN(mesh_layout)
+#define view_parts GMDS_FN(view_parts)
+#define copy_stored GMDS_FN(copy_stored)
 #define give_parts GMDS_FN(give_parts)
 #define take_parts GMDS_FN(take_parts)

@@ -138,6 +138,8 @@
 #undef remove_attribute
 #undef check_nodes
 #undef mesh_layout
+#undef view_parts
+#undef copy_stored
 #undef give_parts
 #undef take_parts
 #undef GMDS_ADDS_FACES
