@@ -60,6 +60,7 @@
 #  include <gmds/models/incidence/star.h>
 #  include <gmds/models/incidence/convert.h>
 #  include <gmds/models/incidence/bulk.h>
+#  include <gmds/models/incidence/reading.h>
 #  include <gmds/models/incidence/compact.h>
 #  include <gmds/models/incidence/check.h>
 #  include <gmds/models/incidence/exchange.h>

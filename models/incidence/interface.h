@@ -170,6 +170,19 @@ static inline gmds_status all_adj_2_1(const mesh *m, gmds_csr *csr);
 static inline gmds_status all_adj_2_2(const mesh *m, gmds_csr *csr);
 #endif
 
+/* Reading 2 -> 0 and 0 -> 2 for the length of an algorithm that changes neither: prepare_i_j fills a csr (initialised and
+ * empty, owned and cleared by the caller) unless the relation is stored; read_i_j gives the j-cells of a live i-cell (not
+ * checked), in place where they are stored, with their number. GMDS_OK or GMDS_ERR_MEMORY (the csr stays empty). O(mesh) or
+ * constant; then constant time a cell. */
+#if GMDS__CAN_2_0
+static inline gmds_status prepare_2_0(const mesh *m, gmds_csr *csr);
+static inline const gmds_id *read_2_0(const mesh *m, const gmds_csr *csr, gmds_id f, size_t *n);
+#endif
+#if GMDS__CAN_0_2
+static inline gmds_status prepare_0_2(const mesh *m, gmds_csr *csr);
+static inline const gmds_id *read_0_2(const mesh *m, const gmds_csr *csr, gmds_id v, size_t *n);
+#endif
+
 /* ---- creation
 
  * New cells take the identifiers of deleted ones: constant time without holes, else a search of O(end / 64) at worst.

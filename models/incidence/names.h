@@ -121,3 +121,7 @@
 #define copy_stored GMDS_FN(copy_stored)
 #define give_parts GMDS_FN(give_parts)
 #define take_parts GMDS_FN(take_parts)
+#define prepare_2_0 GMDS_FN(prepare_2_0)
+#define read_2_0 GMDS_FN(read_2_0)
+#define prepare_0_2 GMDS_FN(prepare_0_2)
+#define read_0_2 GMDS_FN(read_0_2)
