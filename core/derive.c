@@ -1,5 +1,6 @@
 /* Deriving relations of a whole mesh from those that are stored, in linear time. */
 #include "derive.h"
+#include "sides.h"
 #include <gmds/relations.h>
 #include <string.h>
 
@@ -76,11 +77,6 @@ static gmds_status take(derived *d, size_t n, gmds_id **ids)
     memset(block, 0xff, n * sizeof **ids);
   *ids = block;
   return GMDS_OK;
-}
-
-static void give(derived *d, gmds_id *ids, size_t n)
-{
-  gmds_release(d->memory, ids, ids ? n : 0, sizeof *ids);
 }
 
 /* ---- the nodes of edges */
@@ -267,102 +263,44 @@ gmds_status derive_nodes_of_faces(derived *d)
 
 /* ---- sides between the same two nodes */
 
-/* The entries that are grouped, in buckets by the smaller of their nodes. */
-typedef struct buckets {
-  size_t *begin; /* begin[v + 1]: where the next entry of node v goes, in the end where its bucket ends */
-  gmds_id *entry, *other;
-  gmds_id *latest; /* of each node: the last group that it was the other node of */
-  size_t n_nodes, total;
-} buckets;
-
-/* Counts (b->entry NULL) or places one entry. */
-static void put(buckets *b, size_t entry, gmds_id p, gmds_id q)
-{
-  size_t *at = &b->begin[(p < q ? p : q) + 1];
-  if (b->entry) {
-    b->entry[*at] = (gmds_id)entry;
-    b->other[*at] = p < q ? q : p;
-  }
-  ++*at;
-}
-
-static void put_all(const derived *d, buckets *b)
-{
-  const gmds_cells *faces = &d->from->cells[2];
-  for (gmds_id f = gmds_cells_next(faces, 0); f != GMDS_NONE; f = gmds_cells_next(faces, f + 1)) {
-    size_t n = 0, base = view_base(&d->nodes, f);
-    const gmds_id *nodes = view_row(&d->nodes, f, &n);
-    for (size_t k = 0; k + 1 < n; k++)
-      put(b, base + k, nodes[k], nodes[k + 1]);
-    put(b, base + n - 1, nodes[n - 1], nodes[0]);
-  }
-  for (size_t e = 0; d->n_grouped > d->n_sides && e < d->end_edges; e++)
-    if (gmds_cells_has(&d->from->cells[1], (gmds_id)e))
-      put(b, d->n_sides + e, d->end_of_edge[2 * e], d->end_of_edge[2 * e + 1]);
-}
-
-static gmds_status fill_buckets(derived *d, buckets *b)
-{
-  void *begin = NULL;
-  if (!gmds_resize(d->memory, &begin, 0, b->n_nodes + 1, sizeof *b->begin))
-    return no_memory(d);
-  b->begin = begin;
-  memset(b->begin, 0, (b->n_nodes + 1) * sizeof *b->begin);
-  put_all(d, b);
-  for (size_t v = 0; v < b->n_nodes; v++) {
-    size_t count = b->begin[v + 1];
-    b->begin[v + 1] = b->total;
-    b->total += count;
-  }
-  if (take(d, b->total, &b->entry) != GMDS_OK || take(d, b->total, &b->other) != GMDS_OK ||
-      take(d, b->n_nodes, &b->latest) != GMDS_OK)
-    return no_memory(d);
-  if (b->total)
-    put_all(d, b);
-  return GMDS_OK;
-}
-
-/* Within the bucket of a node the groups are told by their other node. */
-static void number_groups(derived *d, buckets *b)
-{
-  gmds_id n = 0;
-  size_t at = 0;
-  for (size_t v = 0; v < b->n_nodes; v++) {
-    gmds_id first = n;
-    for (; at < b->begin[v + 1]; at++) {
-      gmds_id *latest = &b->latest[b->other[at]];
-      if ((gmds_id)(*latest - first) >= (gmds_id)(n - first))
-        *latest = n++;
-      d->group[b->entry[at]] = *latest;
-    }
-  }
-  d->n_groups = n;
-}
-
 gmds_status derive_groups(derived *d)
 {
   if (d->knows[GROUPS])
     return GMDS_OK;
+  const gmds_cells *cells = d->from->cells;
   int linked = mask_links_edges(d->from->layout.mask);
   GMDS_TRY(derive_nodes_of_faces(d));
   if (linked)
     GMDS_TRY(derive_ends(d));
-  buckets b = {.n_nodes = d->from->cells[0].end};
   d->n_sides = view_extent(&d->nodes);
   d->n_grouped = d->n_sides + (linked ? d->end_edges : 0);
   if (d->n_grouped >= GMDS_NONE)
     return gmds_fail(d->error, GMDS_ERR_TOO_MANY, "%zu sides are more than identifiers", d->n_grouped);
-  gmds_status status = take(d, d->n_grouped, &d->group) == GMDS_OK ? GMDS_OK : no_memory(d);
-  if (status == GMDS_OK)
-    status = fill_buckets(d, &b);
-  if (status == GMDS_OK)
-    number_groups(d, &b);
-  gmds_release(d->memory, b.begin, b.begin ? b.n_nodes + 1 : 0, sizeof *b.begin);
-  give(d, b.entry, b.total);
-  give(d, b.other, b.total);
-  give(d, b.latest, b.n_nodes);
-  d->knows[GROUPS] = status == GMDS_OK;
-  return status;
+  gmds_sides sides = {.n_nodes = cells[0].end,
+                      .n_faces = cells[2].end,
+                      .n_pairs = linked ? d->end_edges : 0,
+                      .pairs = d->end_of_edge,
+                      .pair_alive = &cells[1].alive,
+                      .first_pair = d->n_sides};
+  const gmds_part *part = d->nodes.part;
+  if (!part) {
+    sides.begin = d->nodes.csr.begin;
+    sides.nodes = d->nodes.csr.data;
+  } else if (part->how.storage == GMDS_IN_ROWS)
+    sides.rows = &part->rows;
+  else {
+    sides.arity = part->how.arity;
+    sides.nodes = part->column.data;
+    sides.alive = &cells[2].alive;
+  }
+  gmds_id *nodes = NULL;
+  size_t capacity = 0;
+  if (take(d, d->n_grouped, &d->group) != GMDS_OK ||
+      gmds_group_sides(&sides, d->memory, d->group, &d->n_groups, &nodes, &capacity) != GMDS_OK)
+    return no_memory(d);
+  gmds_release(d->memory, nodes, capacity, sizeof *nodes);
+  d->knows[GROUPS] = 1;
+  return GMDS_OK;
 }
 
 /* ---- the edges of sides */
