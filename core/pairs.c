@@ -105,6 +105,29 @@ gmds_status gmds_pairs_trim(gmds_pairs *pairs, gmds_memory *memory)
   return gmds_rows_trim(&pairs->more, memory);
 }
 
+static gmds_status fill(gmds_pairs *pairs, gmds_memory *memory, size_t n_rows, const size_t *begin, size_t end,
+                        const gmds_id *data)
+{
+  GMDS_TRY(gmds_pairs_resize(pairs, memory, n_rows));
+  for (size_t r = 0; r < end; r++) {
+    size_t n = begin[r + 1] - begin[r];
+    if (n > 2)
+      GMDS_TRY(gmds_pairs_reserve_long(pairs, memory, r, n));
+    for (size_t k = 0; k < n; k++)
+      gmds_pairs_push(pairs, r, data[begin[r] + k]);
+  }
+  return pairs->n_more ? gmds_pairs_trim(pairs, memory) : GMDS_OK;
+}
+
+gmds_status gmds_pairs_fill(gmds_pairs *pairs, gmds_memory *memory, size_t n_rows, const size_t *begin, size_t end,
+                            const gmds_id *data)
+{
+  gmds_status status = fill(pairs, memory, n_rows, begin, end, data);
+  if (status != GMDS_OK)
+    gmds_pairs_clear(pairs, memory);
+  return status;
+}
+
 void gmds_pairs_renumber(gmds_pairs *pairs, size_t end, const gmds_id *row_map, const gmds_id *entry_map)
 {
   for (size_t r = 0; r < end; r++) {

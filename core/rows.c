@@ -356,3 +356,45 @@ void gmds_column_renumber(gmds_column *column, size_t arity, const gmds_bits *al
                                             : renamed(from[k], entry_map);
   }
 }
+
+gmds_status gmds_rows_adopt(gmds_rows *rows, gmds_memory *memory, size_t n_rows, const size_t *begin, size_t end,
+                            gmds_id **data, size_t capacity)
+{
+  size_t needed = 0;
+  int moves = 1; /* the entries already lie as they would in the pool */
+  for (size_t r = 0; r < end; r++) {
+    size_t n = begin[r + 1] - begin[r], block = n ? block_of(rows, class_for(n, 1)) : 0;
+    moves &= block == n;
+    needed += block;
+  }
+  if (needed >= GMDS_NONE)
+    return GMDS_ERR_TOO_MANY;
+  GMDS_TRY(gmds_rows_resize(rows, memory, n_rows));
+  void *pool = NULL;
+  moves &= needed == capacity;
+  if (moves)
+    pool = *data;
+  else if (!gmds_resize(memory, &pool, 0, needed, sizeof *rows->pool)) {
+    gmds_rows_clear(rows, memory);
+    return GMDS_ERR_MEMORY;
+  }
+  rows->pool = pool;
+  rows->pool_used = rows->pool_capacity = needed;
+  for (size_t r = 0, used = 0; r < end; r++) {
+    size_t n = begin[r + 1] - begin[r];
+    if (!n)
+      continue;
+    unsigned size = class_for(n, 1);
+    if (!moves)
+      memcpy(rows->pool + used, *data + begin[r], n * sizeof **data);
+    rows->start[r] = (gmds_id)used;
+    rows->length[r] = (gmds_id)n;
+    rows->size[r] = (uint8_t)size;
+    if (size > GMDS_ROWS_LONG && !rows->ordered)
+      build_table(rows, r);
+    used += block_of(rows, size);
+  }
+  if (moves)
+    *data = NULL;
+  return GMDS_OK;
+}

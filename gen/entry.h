@@ -2,24 +2,39 @@
  * after the algorithms and cells_entry.h. */
 #include "model_entry.h"
 
+/* What has come of a triangulation that began at `begin`. */
+static gmds_status GMDS_FN(report)(const model_task *task, double begin, const mesh *m, model_report *report)
+{
+  gmds_memory memory;
+  gmds_memory_init(&memory, NULL);
+  report->seconds = task->now() - begin;
+  report->triangles = count_2(m);
+  report->bytes = m->memory.live;
+  report->peak_bytes = m->memory.peak;
+  gmds_status status = checksum(m, &memory, &report->sum);
+  if (status == GMDS_OK && task->verify)
+    return check(m, &memory, task->error);
+  if (status == GMDS_OK && task->soup)
+    status = to_soup(m, task->soup);
+  return status == GMDS_OK ? status : gmds_fail(task->error, status, "%s", gmds_status_text(status));
+}
+
 static gmds_status GMDS_FN(measure)(const model_task *task, mesh *m, gmds_delaunay_result *result, model_report *report)
 {
   const gmds_delaunay_options options = {
       .progress = task->progress, .user = task->user, .threads = task->threads, .error = task->error};
   double begin = task->now();
   GMDS_TRY(GMDS_FN(delaunay)(m, task->n, task->xy, &options, result));
-  report->seconds = task->now() - begin;
   report->dimension = result->dimension;
   report->duplicates = task->n - result->distinct;
-  report->triangles = count_2(m);
-  report->bytes = m->memory.live;
-  report->peak_bytes = m->memory.peak;
-  gmds_status status = checksum(m, &result->memory, &report->sum);
-  if (status == GMDS_OK && task->verify)
-    return check(m, &result->memory, task->error);
-  if (status == GMDS_OK && task->soup)
-    status = to_soup(m, task->soup);
-  return status == GMDS_OK ? status : gmds_fail(task->error, status, "%s", gmds_status_text(status));
+  if (!task->owner)
+    return GMDS_FN(report)(task, begin, m, report);
+  gmds_parts parts;
+  gmds_parts_init(&parts);
+  give_parts(m, &parts);
+  gmds_status status = task->owner->give_back(task, begin, &parts, report);
+  gmds_parts_clear(&parts);
+  return status;
 }
 
 static gmds_status GMDS_FN(triangulate)(const model_task *task, model_report *report)
@@ -30,6 +45,17 @@ static gmds_status GMDS_FN(triangulate)(const model_task *task, model_report *re
   gmds_delaunay_result_init(&result, NULL);
   gmds_status status = GMDS_FN(measure)(task, &m, &result, report);
   gmds_delaunay_result_clear(&result);
+  mesh_clear(&m);
+  return status;
+}
+
+static gmds_status GMDS_FN(give_back)(const model_task *task, double begin, gmds_parts *parts, model_report *report)
+{
+  mesh m;
+  mesh_init(&m, NULL);
+  gmds_status status = take_parts(&m, parts, task->error);
+  if (status == GMDS_OK)
+    status = GMDS_FN(report)(task, begin, &m, report);
   mesh_clear(&m);
   return status;
 }
@@ -50,6 +76,7 @@ enum {
 const model_entry GMDS_FN(entry) = {.mask = GMDS__MASK,
                                     .triangulate = GMDS_FN(triangulate),
                                     .cells = GMDS_FN(cells),
+                                    .give_back = GMDS_FN(give_back),
                                     .code = {{GMDS__CODE(0, 0), GMDS__CODE(0, 1), GMDS__CODE(0, 2)},
                                              {GMDS__CODE(1, 0), GMDS__CODE(1, 1), GMDS__CODE(1, 2)},
                                              {GMDS__CODE(2, 0), GMDS__CODE(2, 1), GMDS__CODE(2, 2)}}};

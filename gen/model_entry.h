@@ -2,13 +2,17 @@
 #ifndef GMDS_MODEL_ENTRY_H
 #define GMDS_MODEL_ENTRY_H
 
+#include <gmds/parts.h>
 #include <gmds/soup.h>
 
+typedef struct model_entry model_entry;
+
 typedef struct model_task {
-  size_t n;         /* points */
-  const double *xy; /* n × 2 */
-  int verify;       /* also verify every stored relation */
-  gmds_soup *soup;  /* receives nodes and triangles, if not NULL */
+  size_t n;                 /* points */
+  const double *xy;         /* n × 2 */
+  int verify;               /* also verify every stored relation */
+  gmds_soup *soup;          /* receives nodes and triangles, if not NULL */
+  const model_entry *owner; /* the model that borrowed relations for the run, and has the mesh back after it; or NULL */
   double (*now)(void);
   int threads; /* 0 counts as 1 */
   int (*progress)(void *user, size_t done, size_t total);
@@ -55,11 +59,13 @@ typedef struct cells_report {
   double number_sum;         /* of the attribute */
 } cells_report;
 
-typedef struct model_entry {
+struct model_entry {
   unsigned mask;
   gmds_status (*triangulate)(const model_task *task, model_report *report);
   gmds_status (*cells)(const cells_task *task, cells_report *report);
+  /* Takes what another model has triangulated since `begin`, and reports on it. */
+  gmds_status (*give_back)(const model_task *task, double begin, gmds_parts *parts, model_report *report);
   int code[3][3]; /* the paths that the preprocessor chose (models/choice.h) */
-} model_entry;
+};
 
 #endif

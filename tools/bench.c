@@ -113,9 +113,11 @@ static int bench_cells(const verb *v, const char *size, const char *model, int j
   if (!read_number(size, 1, 20000, &n))
     return misused(v, "--n is a number from 1 to 20000, not '%s'", size);
   gmds_error error = {.status = GMDS_OK};
-  const model_entry *entry = find_model(model, &error);
-  if (!entry)
+  model_choice choice;
+  if (find_model(model, &error, &choice) != GMDS_OK)
     return failed("%s", error.text);
+  if (choice.owner)
+    return failed("bench cells measures one model: '%s' borrows from another", choice.name);
   gmds_memory memory;
   grid g;
   static cells_report report;
@@ -124,7 +126,7 @@ static int bench_cells(const verb *v, const char *size, const char *model, int j
   gmds_status status = make_grid(n, &memory, &g);
   if (status == GMDS_OK) {
     const cells_task task = {g.n_nodes, g.n_edges, g.n_triangles, g.xy, g.nodes, now};
-    status = entry->cells(&task, &report);
+    status = choice.runs->cells(&task, &report);
   }
   int right = status == GMDS_OK && is_right(&g, &report);
   free_grid(&memory, &g);

@@ -143,39 +143,118 @@ const model_entry *const *all_models(size_t *n)
   return models;
 }
 
-const model_entry *find_model(const char *text, gmds_error *error)
+static const model_entry *find_mask(unsigned mask)
 {
-  unsigned mask = 0;
   size_t n = 0;
-  if (strcmp(text, "cmap") == 0) {
-    gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model 'cmap': this version has no combinatorial maps");
-    return NULL;
-  }
-  if (strchr(text, '+')) {
-    gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%.80s': this version borrows no relation: leave '+...' out", text);
-    return NULL;
-  }
-  if (gmds_mask_parse(text, error, &mask) != GMDS_OK)
-    return NULL;
-  mask |= GMDS_N | GMDS_F;
-  mask &= ~(unsigned)GMDS_DIM2;
   const model_entry *const *models = all_models(&n);
   for (size_t k = 0; k < n; k++)
     if (models[k]->mask == mask)
       return models[k];
+  return NULL;
+}
+
+/* The model of a mask without borrowed relations. */
+static gmds_status find_stored(const char *text, gmds_error *error, const model_entry **entry)
+{
+  unsigned mask = 0;
+  size_t n = 0;
+  if (strcmp(text, "cmap") == 0)
+    return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model 'cmap': this version has no combinatorial maps");
+  GMDS_TRY(gmds_mask_parse(text, error, &mask));
+  mask |= GMDS_N | GMDS_F;
+  mask &= ~(unsigned)GMDS_DIM2;
+  *entry = find_mask(mask);
+  if (*entry)
+    return GMDS_OK;
   for (int j = 0; j <= 2; j += 2)
     if (gmds_path_of(mask, 2, j).cost == GMDS_COST_NONE) {
       char advice[256];
       gmds_path_advice(2, j, sizeof advice, advice);
-      gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%.80s' cannot answer 2->%d: %s", text, j, advice);
-      return NULL;
+      return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%.80s' cannot answer 2->%d: %s", text, j, advice);
     }
-  gmds_fail(
+  all_models(&n);
+  return gmds_fail(
       error, GMDS_ERR_UNSUPPORTED,
       "model '%.80s' is none of the %zu that this command holds: masks of N, F, E and the relations N2E N2F E2N E2F "
       "F2N F2E F2F",
       text, n);
-  return NULL;
+}
+
+/* The bit of the relation that a word names, alone. */
+static gmds_status read_relation(const char *word, gmds_error *error, unsigned *relation)
+{
+  enum { CELLS = GMDS_N | GMDS_E | GMDS_F | GMDS_R };
+  unsigned mask = 0;
+  GMDS_TRY(gmds_mask_parse(word, error, &mask));
+  mask &= ~(unsigned)CELLS;
+  if (strchr(word, '|') || !mask || mask >= GMDS_DIM2)
+    return gmds_fail(error, GMDS_ERR_ARGUMENT, "'+%.80s' is not one relation: write +X2Y for each that is borrowed",
+                     word);
+  *relation = mask;
+  return GMDS_OK;
+}
+
+/* Adds a borrowed relation to a choice that has an owner. */
+static gmds_status lend(const char *word, gmds_error *error, model_choice *choice)
+{
+  unsigned relation = 0;
+  char name[128], letters[128];
+  size_t n = 0;
+  GMDS_TRY(read_relation(word, error, &relation));
+  gmds_mask_text(choice->owner->mask, sizeof name, name);
+  gmds_mask_text(relation, sizeof letters, letters);
+  if (choice->owner->mask & relation)
+    return gmds_fail(error, GMDS_ERR_ARGUMENT, "model '%s' stores %s: it has nothing to borrow there", name, letters);
+  if (choice->runs->mask & relation)
+    return gmds_fail(error, GMDS_ERR_ARGUMENT, "%s is borrowed twice", letters);
+  if (strchr(letters, 'E') && !(choice->owner->mask & GMDS_E))
+    return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%s' keeps no edges: it cannot borrow %s", name, letters);
+  const model_entry *lender = find_mask(choice->runs->mask | relation);
+  all_models(&n);
+  if (!lender)
+    return gmds_fail(error, GMDS_ERR_UNSUPPORTED,
+                     "model '%s' cannot borrow %s: the %zu models of this command store N2E N2F E2N E2F F2N F2E F2F",
+                     name, letters, n);
+  choice->runs = lender;
+  return GMDS_OK;
+}
+
+void choose_model(const model_entry *entry, model_choice *choice)
+{
+  *choice = (model_choice){.runs = entry};
+  gmds_mask_text(entry->mask, sizeof choice->name, choice->name);
+}
+
+gmds_status find_model(const char *text, gmds_error *error, model_choice *choice)
+{
+  char words[256];
+  const model_entry *entry = NULL;
+  size_t length = strcspn(text, "+"), at = length;
+  if (strlen(text) >= sizeof words)
+    return gmds_fail(error, GMDS_ERR_ARGUMENT, "model '%.80s...' is longer than any", text);
+  snprintf(words, sizeof words, "%.*s", (int)length, text);
+  for (size_t k = strlen(words); k && words[k - 1] == ' '; k--)
+    words[k - 1] = 0;
+  GMDS_TRY(find_stored(words, error, &entry));
+  model_choice found;
+  choose_model(entry, &found);
+  while (text[at]) { /* at a plus sign */
+    found.owner = entry;
+    length = strcspn(text + at + 1, "+");
+    snprintf(words, sizeof words, "%.*s", (int)length, text + at + 1);
+    words[strcspn(words, " ") ? strcspn(words, " ") : strlen(words)] = 0;
+    GMDS_TRY(lend(words, error, &found));
+    at += length + 1;
+  }
+  for (int i = 0; i < 3 && found.owner; i++)
+    for (int j = 0; j < 3; j++) {
+      unsigned relation = (unsigned)GMDS_RELATION_BIT(i, j);
+      size_t used = strlen(found.name);
+      if (found.runs->mask & ~found.owner->mask & relation)
+        snprintf(found.name + used, sizeof found.name - used, " +%c2%c", "NEF"[i], "NEF"[j]);
+    }
+  *choice = found;
+  return GMDS_OK;
 }
 
 void json_text(FILE *file, const char *text)

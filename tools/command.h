@@ -54,9 +54,20 @@ typedef struct progress_state {
 int show_progress(void *user, size_t done, size_t total);
 void end_progress(progress_state *state);
 
-/* The generated models. find_model gives NULL after a sentence that says what to add or which models there are. */
+/* The generated models. */
 const model_entry *const *all_models(size_t *n);
-const model_entry *find_model(const char *text, gmds_error *error);
+
+/* A model as a user names it: a mask, or "MASK +X2Y" (several +X2Y if need be) for a model that borrows relations for the
+ * length of the algorithm. `runs` is the model that the algorithm runs on, `owner` the one that has the mesh back, NULL
+ * where nothing is borrowed. */
+typedef struct model_choice {
+  const model_entry *runs, *owner;
+  char name[128];
+} model_choice;
+
+/* GMDS_OK, or any other status after a sentence that says what to add, what to leave out, or which models there are. */
+gmds_status find_model(const char *text, gmds_error *error, model_choice *choice);
+void choose_model(const model_entry *entry, model_choice *choice);
 
 /* A string as JSON, quoted. */
 void json_text(FILE *file, const char *text);

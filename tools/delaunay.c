@@ -39,7 +39,7 @@ static int run(const verb *v, int argc, char **argv)
   const option options[] = {
       {"output", 'o', &output, NULL, "FILE  where the mesh goes: .off .vtk .mesh, or .svg for a picture"},
       {"dim", 0, &dim, NULL, "2  dimension (this version: the plane)"},
-      {"model", 0, &model, NULL, "MASK  mesh model (default N|F|F2N|F2F)"},
+      {"model", 0, &model, NULL, "MASK  mesh model (default N|F|F2N|F2F); MASK +X2Y borrows a relation for the run"},
       {"threads", 0, &threads, NULL, "T  threads at most (default 1; more where the model allows: N|F|F2N|F2F)"},
       {"json", 0, NULL, &json, "print one JSON object"}};
   int code = read_arguments(v, argc, argv, options, 5, &input, 1, 1);
@@ -54,8 +54,8 @@ static int run(const verb *v, int argc, char **argv)
     return misused(v, "--threads is a number from 1, not '%s'", threads);
   const int n_threads = (int)number;
   gmds_error error = {.status = GMDS_OK};
-  const model_entry *entry = find_model(model, &error);
-  if (!entry)
+  model_choice choice;
+  if (find_model(model, &error, &choice) != GMDS_OK)
     return failed("%s", error.text);
   gmds_format format;
   if (output && !is_svg(output) && gmds_format_of_path(output, &error, &format) != GMDS_OK)
@@ -72,12 +72,13 @@ static int run(const verb *v, int argc, char **argv)
     const model_task task = {.n = points.n_points,
                              .xy = points.points,
                              .soup = output ? &triangles : NULL,
+                             .owner = choice.owner,
                              .now = now,
                              .threads = n_threads,
                              .progress = show_progress,
                              .user = &state,
                              .error = &error};
-    status = entry->triangulate(&task, &report);
+    status = choice.runs->triangulate(&task, &report);
     end_progress(&state);
   }
   turn_left(&triangles);
@@ -90,7 +91,7 @@ static int run(const verb *v, int argc, char **argv)
   return status == GMDS_OK ? DONE : failed("%s", error.text);
 }
 
-const verb verb_delaunay = {"delaunay", "INPUT [-o OUTPUT] [--model MASK] [--json]",
+const verb verb_delaunay = {"delaunay", "INPUT [-o OUTPUT] [--model MASK] [--threads T] [--json]",
                             "the Delaunay triangulation of points: a file, or random:N:SEED, grid:N, circle:N, "
                             "clusters:N:SEED",
                             run};

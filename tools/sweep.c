@@ -36,7 +36,7 @@ static const table4_row table4[] = {{"F|N|N2F|F2N", 2334720},
 typedef struct sweep {
   const char *points, *models, *expect, *csv, *plot;
   unsigned long jobs;
-  const model_entry **chosen;
+  model_choice *chosen;
   size_t n;
   sweep_row *rows; /* shared with the processes that run the models */
 } sweep;
@@ -55,19 +55,17 @@ static gmds_status choose(sweep *s, gmds_error *error)
     return gmds_fail(error, GMDS_ERR_MEMORY, "out of memory for the list of models");
   for (size_t k = 0; k < n_all && (all || paper); k++)
     if (all || gmds_census_of(models[k]->mask, 2).paper105)
-      s->chosen[s->n++] = models[k];
+      choose_model(models[k], &s->chosen[s->n++]);
   for (size_t k = 0; fourth && k < sizeof table4 / sizeof *table4; k++)
-    s->chosen[s->n++] = find_model(table4[k].mask, error);
+    GMDS_TRY(find_model(table4[k].mask, error, &s->chosen[s->n++]));
   if (all || paper || fourth)
     return GMDS_OK;
   for (const char *at = s->models;; at++) {
     char text[256];
     size_t length = strcspn(at, ",");
-    snprintf(text, sizeof text, "%.*s", length > 200 ? 200 : (int)length, at);
-    const model_entry *entry = find_model(text, error);
-    if (!entry)
-      return error->status;
-    s->chosen[s->n++] = entry;
+    snprintf(text, sizeof text, "%.*s", length > 255 ? 255 : (int)length, at);
+    GMDS_TRY(find_model(text, error, &s->chosen[s->n]));
+    s->n++;
     at += length;
     if (!*at)
       return GMDS_OK;
@@ -80,8 +78,9 @@ static void run_model(const sweep *s, const gmds_soup *points, size_t k)
 {
   sweep_row *row = &s->rows[k];
   gmds_error error = {.status = GMDS_OK};
-  const model_task task = {.n = points->n_points, .xy = points->points, .now = now, .error = &error};
-  gmds_status status = s->chosen[k]->triangulate(&task, &row->report);
+  const model_task task = {
+      .n = points->n_points, .xy = points->points, .owner = s->chosen[k].owner, .now = now, .error = &error};
+  gmds_status status = s->chosen[k].runs->triangulate(&task, &row->report);
   char sum[32];
   snprintf(sum, sizeof sum, "%016llx", (unsigned long long)row->report.sum);
   row->points = points->n_points;
@@ -212,7 +211,7 @@ static int run_sweep(sweep *s)
     goto end;
   }
   for (size_t k = 0; k < s->n; k++) {
-    gmds_mask_text(s->chosen[k]->mask, sizeof s->rows[k].model, s->rows[k].model);
+    memcpy(s->rows[k].model, s->chosen[k].name, sizeof s->rows[k].model);
     snprintf(s->rows[k].status, sizeof s->rows[k].status, "the process that ran it died");
   }
   code = run_all(s, &points);
@@ -236,7 +235,8 @@ static int run(const verb *v, int argc, char **argv)
   const char *dim = "2", *jobs = "1";
   const option options[] = {
       {"points", 0, &s.points, NULL, "SPEC  random:N:SEED, grid:N, circle:N, clusters:N:SEED or a file"},
-      {"models", 0, &s.models, NULL, "all | paper105 | table4 | masks with commas between (default all)"},
+      {"models", 0, &s.models, NULL,
+       "all | paper105 | table4 | masks with commas between, MASK +X2Y borrows (default all)"},
       {"dim", 0, &dim, NULL, "2  dimension (this version: the plane)"},
       {"expect", 0, &s.expect, NULL, "SUM  16 hexadecimal digits that every checksum must equal"},
       {"csv", 0, &s.csv, NULL, "FILE  the table as CSV"},

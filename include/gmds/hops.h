@@ -37,6 +37,14 @@ gmds_status gmds_scan_pairs(const gmds_pairs *pairs, size_t end, gmds_ids *list,
 gmds_status gmds_scan_inline(const gmds_id *data, size_t arity, const gmds_bits *alive, size_t end, gmds_ids *list,
                              size_t first, size_t last);
 
+/* The cells of a relation of `end` cells, whose rows are sets, that name at least `times` (1 or more) of the distinct
+ * cells list[first] to list[last - 1], appended once each: Keep_times after a traversal. Only last - first - times + 1 of
+ * the cells are looked for, since one of them must be there. GMDS_OK or GMDS_ERR_MEMORY (as above). */
+gmds_status gmds_scan_meet_inline(const gmds_id *data, size_t arity, const gmds_bits *alive, size_t end, gmds_ids *list,
+                                  size_t first, size_t last, size_t times);
+gmds_status gmds_scan_meet_rows(const gmds_rows *rows, size_t end, gmds_ids *list, size_t first, size_t last,
+                                size_t times);
+
 /* The live cell among `end` whose two entries are a and b, in either order, or GMDS_NONE. One traversal. */
 gmds_id gmds_find_pair(const gmds_id *data, const gmds_bits *alive, size_t end, gmds_id a, gmds_id b);
 

@@ -32,6 +32,7 @@
 #  include <gmds/hops.h>
 #  include <gmds/ids.h>
 #  include <gmds/models/choice.h>
+#  include <gmds/parts.h>
 #  include <gmds/relations.h>
 #  include <gmds/rows.h>
 #  include <gmds/soup.h>
@@ -59,8 +60,10 @@
 #  include <gmds/models/incidence/add.h>
 #  include <gmds/models/incidence/remove.h>
 #  include <gmds/models/incidence/star.h>
+#  include <gmds/models/incidence/convert.h>
 #  include <gmds/models/incidence/bulk.h>
 #  include <gmds/models/incidence/faces.h>
+#  include <gmds/models/incidence/reading.h>
 #  include <gmds/models/incidence/compact.h>
 #  include <gmds/models/incidence/check.h>
 #  include <gmds/models/incidence/exchange.h>

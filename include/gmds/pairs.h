@@ -106,6 +106,11 @@ static inline void gmds_pairs_move(gmds_pairs *pairs, size_t from, size_t to)
  * part). O(long rows). */
 gmds_status gmds_pairs_trim(gmds_pairs *pairs, gmds_memory *memory);
 
+/* Fills pairs that hold no row: n_rows of them, row r < end with the entries data[begin[r]] to data[begin[r + 1] - 1],
+ * nothing spare. GMDS_OK; GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (they hold no row). O(rows and entries). */
+gmds_status gmds_pairs_fill(gmds_pairs *pairs, gmds_memory *memory, size_t n_rows, const size_t *begin, size_t end,
+                            const gmds_id *data);
+
 /* Renumbers rows and entries as gmds_rows_renumber does. */
 void gmds_pairs_renumber(gmds_pairs *pairs, size_t end, const gmds_id *row_map, const gmds_id *entry_map);
 

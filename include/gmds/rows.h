@@ -138,6 +138,12 @@ gmds_status gmds_rows_meet(const gmds_rows *rows, size_t first, size_t last, siz
 /* Packs the pool in the order of the rows, nothing spare. GMDS_OK or GMDS_ERR_MEMORY (unchanged). O(everything). */
 gmds_status gmds_rows_trim(gmds_rows *rows, gmds_memory *memory);
 
+/* Fills rows that are empty: n_rows of them, row r < end with the entries (*data)[begin[r]] to (*data)[begin[r + 1] - 1],
+ * nothing spare. *data, `capacity` entries from `memory`, becomes the pool and *data NULL where that can be; else it is
+ * copied and stays the caller's. GMDS_OK; GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (unchanged). O(rows and entries). */
+gmds_status gmds_rows_adopt(gmds_rows *rows, gmds_memory *memory, size_t n_rows, const size_t *begin, size_t end,
+                            gmds_id **data, size_t capacity);
+
 /* Renumbers rows and entries: row r becomes row_map[r] (at most r, GMDS_NONE: it is gone and empty), entry x becomes
  * entry_map[x]; a map that is NULL leaves its numbers. `coded`: an entry is 4 times an identifier and two bits more. */
 void gmds_rows_renumber(gmds_rows *rows, size_t end, const gmds_id *row_map, const gmds_id *entry_map);

@@ -232,10 +232,23 @@ GMDS__NO_VIEW const gmds_id *view_2_2(const mesh *m, gmds_id f, size_t *n);
 static inline gmds_status all_edges(const mesh *m, gmds_edge_table *table);
 #endif
 
+/* Reading 2 -> 0 and 0 -> 2 for the length of an algorithm that changes neither: prepare_i_j fills a csr (initialised and
+ * empty, owned and cleared by the caller) unless the relation is stored; read_i_j gives the j-cells of a live i-cell (not
+ * checked), in place where they are stored, with their number. GMDS_OK or GMDS_ERR_MEMORY (the csr stays empty). O(mesh) or
+ * constant; then constant time a cell. */
+#if GMDS__CAN_2_0
+static inline gmds_status prepare_2_0(const mesh *m, gmds_csr *csr);
+static inline const gmds_id *read_2_0(const mesh *m, const gmds_csr *csr, gmds_id f, size_t *n);
+#endif
+#if GMDS__CAN_0_2
+static inline gmds_status prepare_0_2(const mesh *m, gmds_csr *csr);
+static inline const gmds_id *read_0_2(const mesh *m, const gmds_csr *csr, gmds_id v, size_t *n);
+#endif
+
 /* ---- creation
-
+ *
  * New cells take the identifiers of deleted ones: constant time without holes, else a search of O(end / 64) at worst.
-
+ *
  * A node with the model's 2 or 3 coordinates. GMDS_OK, GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY. */
 static inline gmds_status add_node(mesh *m, const double *x, gmds_id *id);
 
@@ -334,8 +347,9 @@ static inline void star_of(mesh *m, gmds_id apex, size_t n_faces, const gmds_cav
 static inline gmds_status check(const mesh *m, gmds_memory *memory, gmds_error *error);
 
 /* Fills an empty mesh from a soup: its points become nodes in their order, its faces faces; edges are added where the
- * model can hold them. Faces take linear time in any model, edges that no face has that of add_edge. GMDS_OK or any status of add_node, add_edge and add_face (`error` names the cell; the mesh is
- * empty, its attributes stay); GMDS_ERR_UNSUPPORTED for volumes and for a third coordinate that is not 0 in a model of two. */
+ * model can hold them. Faces take linear time in any model, edges that no face has that of add_edge. GMDS_OK or any status
+ * of add_node, add_edge and add_face (`error` names the cell; the mesh is empty, its attributes stay); GMDS_ERR_UNSUPPORTED
+ * for volumes and for a third coordinate that is not 0 in a model of two. */
 static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *error);
 
 /* Writes the nodes and faces into a soup (what it held is freed), renumbered without holes. In models that keep the order
@@ -343,6 +357,20 @@ static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *
 #if GMDS_ORDERED_2_0 || (GMDS__CAN_2_0 && GMDS__SIMPLICIAL)
 static inline gmds_status to_soup(const mesh *m, gmds_soup *soup);
 #endif
+
+/* Hands over all that the mesh holds, in constant time: cells, points, attributes, relations, and its memory with the
+ * counts, so that `peak` goes on in whoever takes them. What `parts` (initialised, see parts.h) held is freed. The mesh is
+ * empty and usable. Lists of the caller that took their memory from the mesh (mesh_memory) are cleared before. */
+static inline void give_parts(mesh *m, gmds_parts *parts);
+
+/* Makes an empty mesh of this model hold the parts that a mesh of any model gave. What both models store is moved, what
+ * this one stores more is built, what it stores less is freed. Cells keep their identifiers and attributes; edges go where
+ * this model keeps none, and come, one for each two nodes that a face joins, where the other had none. What the mesh held
+ * (room, attributes without values) is freed, its memory becomes that of the parts.
+ * GMDS_OK (no parts are left); GMDS_ERR_ARGUMENT (the mesh is not empty, or there are no parts) or any status of
+ * gmds_parts_convert: mesh and parts are as they were, and the mesh that gave the parts can take them again, which
+ * allocates nothing. `error` may be NULL. O(cells and entries); constant time where both models store the same. */
+static inline gmds_status take_parts(mesh *m, gmds_parts *parts, gmds_error *error);
 
 /* The checksum of the faces (checksum.h). GMDS_OK or GMDS_ERR_MEMORY. O(mesh). */
 #if GMDS__CAN_2_0

@@ -154,6 +154,15 @@
 #undef find_attribute
 #undef remove_attribute
 #undef check_nodes
+#undef mesh_layout
+#undef prepare_2_0
+#undef read_2_0
+#undef prepare_0_2
+#undef read_0_2
+#undef view_parts
+#undef copy_stored
+#undef give_parts
+#undef take_parts
 #undef GMDS_ADDS_FACES
 #undef view_0_0
 #undef view_0_1

@@ -157,6 +157,8 @@ static inline gmds_status meet_0_1(const mesh *m, gmds_ids *list, size_t first, 
 #  if GMDS__S_0_1
   return gmds_rows_meet(&m->r_0_1, first, last, times, list);
 #  else
+  if (!m->borrowed[0][1].begin)
+    return gmds_scan_meet_inline(m->r_1_0.data, 2, &m->cells[1].alive, m->cells[1].end, list, first, last, times);
   size_t from = list->n;
   GMDS_TRY(hop_0_1(m, list, first, last));
   gmds_ids_keep(list, from, times, GMDS_NONE);
@@ -171,6 +173,14 @@ static inline gmds_status meet_0_2(const mesh *m, gmds_ids *list, size_t first, 
 #  if GMDS__S_0_2
   return gmds_rows_meet(&m->r_0_2, first, last, times, list);
 #  else
+#    if GMDS__INLINE
+  if (!m->borrowed[0][2].begin)
+    return gmds_scan_meet_inline(m->r_2_0.data, GMDS__SIDES, &m->cells[2].alive, m->cells[2].end, list, first, last,
+                                 times);
+#    else
+  if (!m->borrowed[0][2].begin)
+    return gmds_scan_meet_rows(&m->r_2_0, m->cells[2].end, list, first, last, times);
+#    endif
   size_t from = list->n;
   GMDS_TRY(hop_0_2(m, list, first, last));
   gmds_ids_keep(list, from, times, GMDS_NONE);
@@ -341,7 +351,7 @@ static inline gmds_status get_adj_2_0(const mesh *m, gmds_id f, gmds_ids *out)
 #  else
   GMDS_TRY(hop_2_1(m, out, 0, 1));
   size_t edges = out->n;
-  GMDS_TRY(hop_1_0(m, out, 1, edges));
+  GMDS_TRY(hop_1_0(m, out, 1, edges - 1)); /* each node is on two of the edges: one may be left out */
   return end_answer(out, edges, 1, GMDS_NONE);
 #  endif
 }
@@ -403,7 +413,7 @@ static inline gmds_status get_adj_2_2(const mesh *m, gmds_id f, gmds_ids *out)
 #    else
   GMDS_TRY(hop_2_1(m, out, 0, 1));
   size_t first = out->n;
-  GMDS_TRY(hop_1_0(m, out, 1, first));
+  GMDS_TRY(hop_1_0(m, out, 1, first - 1)); /* each node is on two of the edges: one may be left out */
   gmds_ids_keep(out, first, 1, GMDS_NONE);
 #    endif
   size_t nodes = out->n;

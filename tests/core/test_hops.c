@@ -124,9 +124,9 @@ START_TEST(a_traversal_is_the_hop_of_the_inverse)
   ck_assert_int_eq(gmds_invert_rows(&r.rows, FROM, TO, &of_rows), GMDS_OK);
   ck_assert_int_eq(gmds_invert_inline(r.inlined, ARITY, &r.alive, FROM, TO, &of_inline), GMDS_OK);
   ck_assert_int_eq(gmds_invert_csr(&of_rows, FROM, &twice), GMDS_OK);
-  for (int round = 0; round < 100; round++) {
-    gmds_id cells[6];
-    size_t n = random_below(&seed, 7);
+  for (int round = 0; round < 200; round++) { /* one pass, several, or by the filter */
+    gmds_id cells[20];
+    size_t n = random_below(&seed, round % 2 ? 21 : 6);
     for (size_t k = 0; k < n; k++)
       cells[k] = (gmds_id)random_below(&seed, TO);
     start_with(cells, n);
@@ -148,6 +148,64 @@ START_TEST(a_traversal_is_the_hop_of_the_inverse)
   gmds_csr_clear(&of_rows);
   gmds_csr_clear(&of_inline);
   gmds_csr_clear(&twice);
+  end();
+}
+END_TEST
+
+/* Rows that moved about the pool leave old entries in free blocks, and are not in its order. */
+START_TEST(a_traversal_passes_over_free_blocks)
+{
+  begin(7);
+  uint64_t seed = 8;
+  for (int round = 0; round < 400; round++) {
+    size_t c = random_below(&seed, FROM), n = 0;
+    if (!gmds_bits_get(&r.alive, c))
+      continue;
+    gmds_rows_get(&r.rows, c, &n);
+    if (random_below(&seed, 2))
+      ck_assert_int_eq(gmds_rows_reserve(&r.rows, &r.memory, c, 4 + random_below(&seed, 20)), GMDS_OK);
+    else {
+      gmds_id kept[ARITY];
+      if (n)
+        memcpy(kept, gmds_rows_get(&r.rows, c, &n), n * sizeof *kept);
+      gmds_rows_release(&r.rows, c);
+      ck_assert_int_eq(gmds_rows_reserve(&r.rows, &r.memory, c, n), GMDS_OK);
+      for (size_t k = 0; k < n; k++)
+        gmds_rows_push(&r.rows, c, kept[k]);
+    }
+  }
+  for (gmds_id x = 0; x < TO; x++) {
+    start_with(&x, 1);
+    ck_assert_int_eq(gmds_scan_rows(&r.rows, FROM, &r.list, 1, 2), GMDS_OK);
+    is_against(&x, 1, "scan of rows");
+  }
+  end();
+}
+END_TEST
+
+START_TEST(a_meeting_is_what_several_rows_name)
+{
+  begin(9);
+  uint64_t seed = 10;
+  for (int round = 0; round < 300; round++) {
+    gmds_id cells[8];
+    size_t n = 1 + random_below(&seed, 8), least = 1 + random_below(&seed, 4);
+    for (size_t k = 0; k < n; k++)
+      cells[k] = (gmds_id)(11 * k + random_below(&seed, 11));
+    for (int inlined = 0; inlined < 2; inlined++) {
+      start_with(cells, n);
+      if (inlined)
+        ck_assert_int_eq(gmds_scan_meet_inline(r.inlined, ARITY, &r.alive, FROM, &r.list, 1, n + 1, least), GMDS_OK);
+      else
+        ck_assert_int_eq(gmds_scan_meet_rows(&r.rows, FROM, &r.list, 1, n + 1, least), GMDS_OK);
+      for (gmds_id c = 0; c < FROM; c++) {
+        size_t common = 0;
+        for (size_t k = 0; k < n; k++)
+          common += links(c, cells[k]);
+        ck_assert_uint_eq(times(n + 1, c), common >= least);
+      }
+    }
+  }
   end();
 }
 END_TEST
@@ -206,5 +264,6 @@ START_TEST(a_pair_is_found_in_either_order_among_live_cells)
 }
 END_TEST
 
-RUN_SUITE("hops", a_hop_keeps_every_link, a_traversal_is_the_hop_of_the_inverse,
-          a_hop_without_memory_leaves_the_list_as_it_was, a_pair_is_found_in_either_order_among_live_cells)
+RUN_SUITE("hops", a_hop_keeps_every_link, a_traversal_is_the_hop_of_the_inverse, a_traversal_passes_over_free_blocks,
+          a_meeting_is_what_several_rows_name, a_hop_without_memory_leaves_the_list_as_it_was,
+          a_pair_is_found_in_either_order_among_live_cells)

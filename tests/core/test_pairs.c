@@ -198,6 +198,83 @@ START_TEST(a_traversal_and_an_inverse_find_the_rows_of_an_entry)
 }
 END_TEST
 
+/* For a few cells in one pass, for more in several, for many by the filter. */
+START_TEST(a_traversal_for_many_entries_counts_every_link)
+{
+  gmds_pairs pairs;
+  uint64_t seed = 8;
+  begin(&pairs);
+  for (int round = 0; round < 300; round++) {
+    gmds_ids list = {.memory = &memory};
+    size_t n = random_below(&seed, 24), found = 0;
+    for (int i = 0; i < 50; i++)
+      change(&pairs, &seed);
+    for (size_t k = 0; k < n; k++)
+      ck_assert_int_eq(gmds_ids_push(&list, (gmds_id)random_below(&seed, VALUES)), GMDS_OK);
+    ck_assert_int_eq(gmds_scan_pairs(&pairs, ROWS, &list, 0, n), GMDS_OK);
+    for (gmds_id r = 0; r < ROWS; r++) {
+      size_t links = 0, told = 0;
+      for (size_t k = 0; k < n; k++)
+        links += position(&expected[r], list.data[k]) < expected[r].n;
+      for (size_t k = n; k < list.n; k++)
+        told += list.data[k] == r;
+      ck_assert_uint_eq(told, links);
+      found += told;
+    }
+    ck_assert_uint_eq(list.n, n + found);
+    memory.limit = memory.live;
+    size_t had = list.n;
+    if (found > list.capacity - list.n) {
+      ck_assert_int_eq(gmds_scan_pairs(&pairs, ROWS, &list, 0, n), GMDS_ERR_MEMORY);
+      ck_assert_uint_eq(list.n, had);
+    }
+    memory.limit = SIZE_MAX;
+    gmds_ids_clear(&list);
+  }
+  end(&pairs);
+}
+END_TEST
+
+START_TEST(pairs_are_filled_at_once_with_nothing_spare)
+{
+  gmds_pairs pairs, filled;
+  gmds_csr values, rows;
+  uint64_t seed = 9;
+  begin(&pairs);
+  for (int i = 0; i < 4000; i++)
+    change(&pairs, &seed);
+  gmds_csr_init(&values, &memory);
+  gmds_csr_init(&rows, &memory);
+  ck_assert_int_eq(gmds_invert_pairs(&pairs, ROWS, VALUES, &values), GMDS_OK);
+  ck_assert_int_eq(gmds_invert_csr(&values, ROWS, &rows), GMDS_OK); /* every row in the order of its entries */
+  for (size_t r = 0; r < ROWS; r++)
+    for (size_t k = 0; k < expected[r].n; k++)
+      expected[r].data[k] = rows.data[rows.begin[r] + k];
+  size_t live = memory.live;
+  gmds_status status = GMDS_ERR_MEMORY;
+  for (long k = 0; status == GMDS_ERR_MEMORY; k++) {
+    gmds_pairs_init(&filled);
+    from.until = k;
+    status = gmds_pairs_fill(&filled, &memory, ROWS + 3, rows.begin, ROWS, rows.data);
+    ck_assert(status == GMDS_OK || memory.live == live);
+  }
+  from.until = LONG_MAX;
+  ck_assert_int_eq(status, GMDS_OK);
+  compare(&filled);
+  size_t n = 1, used = memory.live;
+  for (size_t r = ROWS; r < ROWS + 3; r++) {
+    gmds_pairs_get(&filled, r, &n);
+    ck_assert_uint_eq(n, 0);
+  }
+  ck_assert_int_eq(gmds_pairs_trim(&filled, &memory), GMDS_OK);
+  ck_assert_uint_eq(memory.live, used);
+  gmds_pairs_clear(&filled, &memory);
+  gmds_csr_clear(&values);
+  gmds_csr_clear(&rows);
+  end(&pairs);
+}
+END_TEST
+
 START_TEST(pairs_without_memory_change_nothing)
 {
   gmds_pairs pairs;
@@ -229,4 +306,5 @@ END_TEST
 
 RUN_SUITE("pairs", pairs_hold_what_plain_arrays_hold, two_entries_a_row_take_two_identifiers_a_row,
           renumbering_moves_rows_and_renames_entries, a_traversal_and_an_inverse_find_the_rows_of_an_entry,
+          a_traversal_for_many_entries_counts_every_link, pairs_are_filled_at_once_with_nothing_spare,
           pairs_without_memory_change_nothing)

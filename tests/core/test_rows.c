@@ -267,6 +267,50 @@ START_TEST(rows_that_cannot_grow_are_unchanged)
 }
 END_TEST
 
+/* Entries that lie as the pool would are taken over; a long row of a set is copied, for its hash. */
+START_TEST(rows_adopt_what_lies_as_a_pool)
+{
+  for (int longest = 3; longest <= 100; longest += 97)
+    for (int ordered = 0; ordered < 2; ordered++) {
+      gmds_rows rows;
+      gmds_status status = GMDS_ERR_MEMORY;
+      for (long k = 0; status == GMDS_ERR_MEMORY; k++) {
+        failing f = {.until = 1};
+        gmds_allocator allocator = failing_allocator(&f);
+        void *block = NULL;
+        size_t begin[ROWS + 1], n = 0;
+        gmds_memory_init(&memory, &allocator);
+        gmds_rows_init(&rows, ordered);
+        memset(expected, 0, sizeof expected);
+        for (size_t r = 0; r < ROWS; r++) {
+          begin[r] = n;
+          n += r == 4 ? (size_t)longest : r % 3;
+        }
+        begin[ROWS] = n;
+        ck_assert(gmds_resize(&memory, &block, 0, n, sizeof(gmds_id)));
+        gmds_id *data = block;
+        for (size_t r = 0; r < ROWS; r++)
+          for (size_t i = begin[r]; i < begin[r + 1]; i++)
+            expected[r].data[expected[r].n++] = data[i] = (gmds_id)(i - begin[r]);
+        f.until = k;
+        status = gmds_rows_adopt(&rows, &memory, ROWS, begin, ROWS, &data, n);
+        if (status == GMDS_OK) {
+          compare(&rows);
+          ck_assert_int_eq(data == NULL, longest == 3);
+          ck_assert_uint_eq(gmds_rows_find(&rows, 4, 2), 2);
+        } else
+          ck_assert(data == block && !rows.n_rows && !rows.pool);
+        if (data)
+          gmds_release(&memory, data, n, sizeof *data);
+        gmds_rows_clear(&rows, &memory);
+        ck_assert_uint_eq(f.live, 0);
+      }
+      ck_assert_int_eq(status, GMDS_OK);
+    }
+}
+END_TEST
+
 RUN_SUITE("rows", sets_follow_plain_arrays_through_every_change, a_long_row_is_hashed_and_shrinks_to_a_short_one,
           freed_blocks_are_used_again, an_ordered_row_keeps_its_places_and_may_hold_none,
-          meet_keeps_what_enough_rows_have, renumbering_moves_rows_and_entries, rows_that_cannot_grow_are_unchanged)
+          meet_keeps_what_enough_rows_have, renumbering_moves_rows_and_entries, rows_that_cannot_grow_are_unchanged,
+          rows_adopt_what_lies_as_a_pool)

@@ -11,6 +11,9 @@
 #  endif
 #  include <gmds/mesh.h>
 #  include <gmds/algorithms/delaunay.h>
+#  include <gmds/algorithms/boundary.h>
+#  include <gmds/algorithms/components.h>
+#  include <gmds/algorithms/smoothing.h>
 #  include <gmds/end.h>
 #  undef MODEL
 #  undef FACES

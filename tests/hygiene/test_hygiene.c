@@ -20,6 +20,9 @@
 #define GMDS_MODEL (N | F | F2N | F2F)
 #include <gmds/mesh.h>
 #include <gmds/algorithms/delaunay.h>
+#include <gmds/algorithms/boundary.h>
+#include <gmds/algorithms/components.h>
+#include <gmds/algorithms/smoothing.h>
 #include <gmds/end.h>
 
 #define GMDS_PREFIX full

@@ -7,6 +7,7 @@
 #include <gmds/delaunay.h>
 #include <gmds/edges.h>
 #include <gmds/hops.h>
+#include <gmds/parts.h>
 #include <gmds/rows.h>
 #include <gmds/soup.h>
 #include <gmds/topology.h>
@@ -58,6 +59,8 @@ typedef struct model {
   gmds_status (*do_trim)(void *m);
   gmds_status (*do_compact)(void *m, gmds_id *maps[3]);
   gmds_status (*do_check)(const void *m, gmds_memory *memory, gmds_error *error);
+  void (*do_give)(void *m, gmds_parts *parts);
+  gmds_status (*do_take)(void *m, gmds_parts *parts, gmds_error *error);
   stored_relation (*do_stored)(void *m, int i, int j);
   const model_algorithms *algorithms; /* may be NULL */
 } model;

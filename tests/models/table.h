@@ -236,6 +236,16 @@ static gmds_status GMDS_FN(do_check)(const void *m, gmds_memory *memory, gmds_er
   return check(m, memory, error);
 }
 
+static void GMDS_FN(do_give)(void *m, gmds_parts *parts)
+{
+  give_parts(m, parts);
+}
+
+static gmds_status GMDS_FN(do_take)(void *m, gmds_parts *parts, gmds_error *error)
+{
+  return take_parts(m, parts, error);
+}
+
 static stored_relation GMDS_FN(do_stored)(void *m, int i, int j)
 {
   mesh *own = m;
@@ -352,6 +362,8 @@ const model GMDS_FN(table) = {
     .do_trim = GMDS_FN(do_trim),
     .do_compact = GMDS_FN(do_compact),
     .do_check = GMDS_FN(do_check),
+    .do_give = GMDS_FN(do_give),
+    .do_take = GMDS_FN(do_take),
     .do_stored = GMDS_FN(do_stored),
 #if TEST_ALGORITHMS
     .algorithms = &GMDS_FN(algorithms),

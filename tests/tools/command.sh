@@ -142,6 +142,33 @@ run 2 bench cells --n 0
 run 2 bench cells --n ten
 run 2 bench nothing
 run 2 bench predicates --n 5
+run 1 bench cells --n 5 --model 'N|F|F2N +N2F' && says 'borrows'
+
+# ---- borrowed relations: the result and the bytes of the model itself, the peak of the one that it borrows from
+borrowed='N|F|F2N,N|F|F2N +N2F,N|F|N2F +F2N +F2F,N|E|F|N2E|E2F +F2E,N|F|F2N|F2F+N2F,N|E|F|E2N|F2E +N2E +N2F +E2F +F2N +F2F'
+run 0 sweep --points random:1225:1 --models "$borrowed" --expect 714e3f4d1a8d5edb --csv b.csv
+[ "$(cut -d, -f1 b.csv | tail -n +2 | tr '\n' ,)" = 'N|F|F2N,N|F|F2N +N2F,N|F|N2F +F2N +F2F,N|E|F|N2E|E2F +F2E,N|F|F2N|F2F +N2F,N|E|F|E2N|F2E +N2E +N2F +E2F +F2N +F2F,' ] ||
+  fail "rows of borrowed relations: $(cut -d, -f1 b.csv)"
+tail -n +2 b.csv | while IFS=, read -r model _ _ _ bytes peak _; do
+  own=${model%% +*}
+  [ "$bytes" = "$(awk -F, -v m="$own" '$1 == m {print $5}' all.csv)" ] || echo "bytes of $model: $bytes"
+  [ "$peak" -ge "$bytes" ] || echo "peak of $model: $peak"
+done >differences
+[ ! -s differences ] || fail "$(cat differences)"
+[ "$(awk -F, '$1 == "N|F|F2N +N2F" {print $6}' b.csv)" -gt "$(awk -F, '$1 == "N|F|F2N" {print $6}' b.csv)" ] ||
+  fail 'a borrowed relation does not count in peak_bytes'
+run 0 delaunay grid:35 --model 'N|F|N2F +F2N' --json -o lent.off && prints '"checksum":"ddcec7cabf7fc153"' &&
+  prints '"model":"N|F|N2F +F2N"'
+run 0 check lent.off --json && prints '"nonmanifold_edges":0'
+run 1 sweep --points random:100:1 --models 'N|F|F2N,N|F|F2N +F2N' && says 'stores F2N'
+run 1 delaunay random:10:1 --model 'N|F|F2N +F2E' && says 'keeps no edges'
+run 1 delaunay random:10:1 --model 'N|F|F2N +F2X' && says "'F2X'"
+run 1 delaunay random:10:1 --model 'N|F|F2N +N2N' && says 'cannot borrow N2N'
+run 1 delaunay random:10:1 --model 'N|F|F2N +N2F +N2F' && says 'twice'
+run 1 delaunay random:10:1 --model 'N|F|F2N +N2F|F2F' && says 'not one relation'
+run 1 delaunay random:10:1 --model 'N|F|F2N +F' && says 'not one relation'
+run 1 delaunay random:10:1 --model 'N|F|F2N +'
+run 1 delaunay random:10:1 --model 'N|F +F2N' && says '2->0'
 
 # ---- convert, info, check
 cat >cube.off <<'END'

@@ -1,0 +1,53 @@
+/* What the tests ask of the algorithms in one model: a template like the models themselves. RUN is the prefix. */
+#define BODY_CAT_(a, b) a##_##b
+#define BODY_CAT(a, b) BODY_CAT_(a, b)
+#define OF(name) BODY_CAT(RUN, name)
+
+/* Runs the algorithms on the faces of a soup and keeps what they give in `o`, whose memory does not fail; `from` is the
+ * allocator of the mesh: with `inject` each call is repeated with one more allocation granted until it succeeds. */
+static void OF(run)(const gmds_soup *soup, int inject, outcome *o)
+{
+  OF(mesh) m;
+  gmds_error error = {0};
+  failing from = {.until = LONG_MAX};
+  gmds_allocator allocator = failing_allocator(&from);
+  OF(mesh_init)(&m, &allocator);
+  ck_assert_msg(OF(from_soup)(&m, soup, &error) == GMDS_OK, "%s", error.text);
+  size_t live = m.memory.live;
+  gmds_status status = GMDS_ERR_MEMORY;
+  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+    from.until = k;
+    status = OF(boundary)(&m, &o->chains, &o->open);
+    ck_assert(status == GMDS_OK || !o->chains.begin);
+    ck_assert_uint_eq(m.memory.live, live);
+  }
+  ck_assert_int_eq(status, GMDS_OK);
+  status = GMDS_ERR_MEMORY;
+  o->component = calloc(soup->n_cells + 1, sizeof *o->component);
+  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+    from.until = k;
+    status = OF(components)(&m, o->component, &o->count);
+    ck_assert(status == GMDS_OK || !o->component[0]);
+    ck_assert_uint_eq(m.memory.live, live);
+  }
+  ck_assert_int_eq(status, GMDS_OK);
+  status = GMDS_ERR_MEMORY;
+  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+    from.until = k;
+    status = OF(smooth)(&m, SWEEPS, &o->moved);
+    ck_assert(status == GMDS_OK || memcmp(m.points, soup->points, 2 * soup->n_points * sizeof(double)) == 0);
+    ck_assert_uint_eq(m.memory.live, live);
+  }
+  ck_assert_int_eq(status, GMDS_OK);
+  from.until = LONG_MAX;
+  o->points = malloc((2 * soup->n_points + 1) * sizeof *o->points);
+  if (soup->n_points)
+    memcpy(o->points, m.points, 2 * soup->n_points * sizeof *o->points);
+  ck_assert_msg(OF(check)(&m, &o->memory, &error) == GMDS_OK, "%s", error.text);
+  OF(mesh_clear)(&m);
+  ck_assert_uint_eq(from.live, 0);
+}
+#undef OF
+#undef BODY_CAT
+#undef BODY_CAT_
+#undef RUN

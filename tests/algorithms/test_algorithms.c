@@ -1,0 +1,367 @@
+/* Boundary, components and smoothing in every way that a model can have them, against brute force. */
+#include "harness.h"
+#include <gmds/chains.h>
+#include <gmds/io.h>
+#include <gmds/predicates.h>
+#include <limits.h>
+
+enum { SWEEPS = 3 };
+
+typedef struct outcome {
+  gmds_memory memory;
+  gmds_csr chains;
+  size_t open, count, moved;
+  gmds_id *component;
+  double *points;
+} outcome;
+
+#include "algorithms/models.h"
+
+typedef void runner(const gmds_soup *soup, int inject, outcome *o);
+#define RUNNER(prefix) prefix##_run,
+static runner *const runners[] = {TRIANGLE_MODELS(RUNNER) ALL_MODELS(RUNNER)};
+#define ONE(prefix) +1
+enum { N_TRIANGLE_MODELS = 0 TRIANGLE_MODELS(ONE), N_MODELS = sizeof runners / sizeof *runners };
+
+static gmds_memory memory;
+
+/* ---- brute force: the sides of all faces, sorted */
+
+typedef struct side {
+  gmds_id a, b, from, face; /* a < b; `from`: where it begins in its face */
+} side;
+
+static int by_ends(const void *p, const void *q)
+{
+  const side *x = p, *y = q;
+  if (x->a != y->a)
+    return x->a < y->a ? -1 : 1;
+  return x->b != y->b ? (x->b < y->b ? -1 : 1) : (x->face > y->face) - (x->face < y->face);
+}
+
+static side *sides_of(const gmds_soup *s, size_t *n)
+{
+  side *sides = malloc((s->begin[s->n_cells] + 1) * sizeof *sides);
+  *n = 0;
+  for (size_t f = 0; f < s->n_cells; f++)
+    for (size_t k = s->begin[f]; k < s->begin[f + 1]; k++) {
+      gmds_id p = s->corners[k], q = s->corners[k + 1 < s->begin[f + 1] ? k + 1 : s->begin[f]];
+      sides[(*n)++] = (side){p < q ? p : q, p < q ? q : p, p, (gmds_id)f};
+    }
+  qsort(sides, *n, sizeof *sides, by_ends);
+  return sides;
+}
+
+static size_t group_end(const side *sides, size_t n, size_t k)
+{
+  size_t end = k + 1;
+  while (end < n && sides[end].a == sides[k].a && sides[end].b == sides[k].b)
+    end++;
+  return end;
+}
+
+static void check_boundary(const gmds_soup *s, const outcome *o)
+{
+  size_t n = 0, bare = 0, walked = 0;
+  side *sides = sides_of(s, &n);
+  int *met = calloc(n + 1, sizeof *met);
+  for (size_t k = 0, end; k < n; k = end) {
+    end = group_end(sides, n, k);
+    bare += end == k + 1;
+  }
+  for (size_t r = 0; r < o->chains.n; r++) {
+    const gmds_id *row = o->chains.data + o->chains.begin[r];
+    size_t length = o->chains.begin[r + 1] - o->chains.begin[r];
+    for (size_t k = 0; k + (r < o->open) < length; k++) {
+      gmds_id p = row[k], q = row[k + 1 < length ? k + 1 : 0];
+      const side key = {p < q ? p : q, p < q ? q : p, p, 0};
+      size_t at = 0, high = n;
+      while (at < high) { /* the first that is not before the key */
+        size_t middle = at + (high - at) / 2;
+        if (by_ends(&sides[middle], &key) < 0)
+          at = middle + 1;
+        else
+          high = middle;
+      }
+      ck_assert(at < n && sides[at].a == key.a && sides[at].b == key.b);
+      ck_assert_uint_eq(group_end(sides, n, at), at + 1);
+      ck_assert(!met[at]);
+      met[at] = 1;
+      walked++;
+    }
+  }
+  ck_assert_uint_eq(walked, bare);
+  ck_assert_uint_eq(o->open, 0); /* no side has more than two faces here */
+  free(met);
+  free(sides);
+}
+
+static gmds_id root(const gmds_id *parent, gmds_id f)
+{
+  while (parent[f] != f)
+    f = parent[f];
+  return f;
+}
+
+static void check_components(const gmds_soup *s, const outcome *o)
+{
+  size_t n = 0, count = 0;
+  side *sides = sides_of(s, &n);
+  gmds_id *parent = malloc((s->n_cells + 1) * sizeof *parent);
+  for (size_t f = 0; f < s->n_cells; f++)
+    parent[f] = (gmds_id)f;
+  for (size_t k = 1; k < n; k++)
+    if (sides[k].a == sides[k - 1].a && sides[k].b == sides[k - 1].b) {
+      gmds_id p = root(parent, sides[k].face), q = root(parent, sides[k - 1].face);
+      parent[p > q ? p : q] = p < q ? p : q;
+    }
+  for (gmds_id f = 0; f < s->n_cells; f++) {
+    gmds_id r = root(parent, f);
+    parent[f] = r; /* keeps the walks short */
+    ck_assert_uint_eq(o->component[f], r == f ? count : o->component[r]);
+    count += r == f;
+  }
+  ck_assert_uint_eq(o->count, count);
+  free(parent);
+  free(sides);
+}
+
+/* ---- smoothing, the slow way */
+
+static int turn_of(const gmds_soup *s, const double *xy, size_t f, size_t k)
+{
+  size_t begin = s->begin[f], n = s->begin[f + 1] - begin;
+  const gmds_id *v = s->corners + begin;
+  return gmds_orient2d(xy + 2 * (size_t)v[(k + n - 1) % n], xy + 2 * (size_t)v[k], xy + 2 * (size_t)v[(k + 1) % n]);
+}
+
+static size_t smooth_slowly(const gmds_soup *s, double *xy)
+{
+  size_t moved = 0;
+  int *times = calloc(s->n_points + 1, sizeof *times);
+  for (gmds_id v = 0; v < s->n_points; v++) {
+    double x[2] = {0, 0}, old[2] = {xy[2 * v], xy[2 * v + 1]};
+    int before[64][8], n_before = 0, inner = 1, joined = 0, keeps = 1;
+    memset(times, 0, s->n_points * sizeof *times);
+    for (size_t f = 0; f < s->n_cells; f++) {
+      size_t begin = s->begin[f], n = s->begin[f + 1] - begin;
+      for (size_t k = 0; k < n; k++)
+        if (s->corners[begin + k] == v) {
+          times[s->corners[begin + (k + 1) % n]]++;
+          times[s->corners[begin + (k + n - 1) % n]]++;
+          for (size_t q = 0; q < n; q++)
+            before[n_before][q] = turn_of(s, xy, f, q);
+          n_before++;
+        }
+    }
+    for (gmds_id w = 0; w < s->n_points; w++) {
+      inner &= times[w] == 0 || times[w] == 2;
+      joined += times[w] > 0;
+    }
+    if (!inner || !joined)
+      continue;
+    for (gmds_id w = 0; w < s->n_points; w++)
+      if (times[w]) {
+        x[0] += xy[2 * w] / joined;
+        x[1] += xy[2 * w + 1] / joined;
+      }
+    if (x[0] == old[0] && x[1] == old[1])
+      continue;
+    xy[2 * v] = x[0];
+    xy[2 * v + 1] = x[1];
+    n_before = 0;
+    for (size_t f = 0; f < s->n_cells; f++)
+      for (size_t k = s->begin[f]; k < s->begin[f + 1]; k++)
+        if (s->corners[k] == v) {
+          for (size_t q = 0; q < s->begin[f + 1] - s->begin[f]; q++)
+            keeps &= !before[n_before][q] || turn_of(s, xy, f, q) == before[n_before][q];
+          n_before++;
+        }
+    if (!keeps)
+      memcpy(xy + 2 * v, old, sizeof old);
+    moved += (size_t)keeps;
+  }
+  free(times);
+  return moved;
+}
+
+static void check_smoothing(const gmds_soup *s, const outcome *o)
+{
+  size_t bytes = 2 * s->n_points * sizeof(double), moved = 0;
+  double *xy = malloc(bytes + 1);
+  memcpy(xy, s->points, bytes);
+  for (int k = 0; k < SWEEPS; k++)
+    moved = smooth_slowly(s, xy);
+  ck_assert_int_eq(memcmp(xy, o->points, bytes), 0);
+  ck_assert_uint_eq(moved, o->moved);
+  free(xy);
+}
+
+/* No corner has turned, boundary nodes have stayed. */
+static void check_turns(const gmds_soup *s, const outcome *o)
+{
+  for (size_t f = 0; f < s->n_cells; f++)
+    for (size_t k = 0; k < s->begin[f + 1] - s->begin[f]; k++) {
+      int before = turn_of(s, s->points, f, k);
+      ck_assert(!before || turn_of(s, o->points, f, k) == before);
+    }
+  for (size_t k = 0; k < o->chains.begin[o->chains.n]; k++)
+    ck_assert_int_eq(memcmp(s->points + 2 * o->chains.data[k], o->points + 2 * o->chains.data[k], 16), 0);
+}
+
+/* ---- meshes */
+
+static void outcome_begin(outcome *o)
+{
+  memset(o, 0, sizeof *o);
+  gmds_memory_init(&o->memory, NULL);
+  gmds_csr_init(&o->chains, &o->memory);
+}
+
+static void outcome_end(outcome *o)
+{
+  gmds_csr_clear(&o->chains);
+  ck_assert_uint_eq(o->memory.live, 0);
+  free(o->component);
+  free(o->points);
+}
+
+static void all_models_agree(const gmds_soup *s, int triangles, int inject, int small)
+{
+  static outcome first, other;
+  size_t begin = triangles ? 0 : N_TRIANGLE_MODELS;
+  for (size_t k = begin; k < N_MODELS; k++) {
+    outcome *o = k == begin ? &first : &other;
+    outcome_begin(o);
+    runners[k](s, inject, o);
+    check_boundary(s, o);
+    check_components(s, o);
+    check_turns(s, o);
+    if (small)
+      check_smoothing(s, o);
+    ck_assert_int_eq(memcmp(first.points, o->points, 2 * s->n_points * sizeof(double)), 0);
+    ck_assert_uint_eq(first.moved, o->moved);
+    ck_assert_uint_eq(first.chains.begin[first.chains.n], o->chains.begin[o->chains.n]);
+    if (k != begin)
+      outcome_end(o);
+  }
+  outcome_end(&first);
+}
+
+static gmds_id add(gmds_soup *s, double x, double y)
+{
+  const double p[2] = {x, y};
+  ck_assert_int_eq(gmds_soup_add_point(s, p), GMDS_OK);
+  return (gmds_id)(s->n_points - 1);
+}
+
+/* w by h squares with some left out, shaken; kind 0: cut in two, 1: whole, 2: both and hexagons. */
+static void make_grid(gmds_soup *s, gmds_id w, gmds_id h, int kind, uint64_t seed)
+{
+  gmds_soup_init(s, &memory, 2);
+  for (gmds_id y = 0; y <= h; y++)
+    for (gmds_id x = 0; x <= w; x++)
+      add(s, x + 0.45 * random_unit(&seed), y + 0.45 * random_unit(&seed));
+  for (gmds_id y = 0; y < h; y++)
+    for (gmds_id x = 0; x < w; x++) {
+      gmds_id a = y * (w + 1) + x, b = a + 1, c = b + w + 1, d = a + w + 1;
+      const gmds_id lower[3] = {a, b, c}, upper[3] = {a, c, d}, whole[4] = {a, b, c, d};
+      const gmds_id joined[6] = {a, b, b + 1, c + 1, c, d};
+      if (random_below(&seed, 6) == 0)
+        continue;
+      if (kind == 2 && x + 1 < w && random_below(&seed, 3) == 0) {
+        ck_assert_int_eq(gmds_soup_add_cell(s, GMDS_POLYGON, 6, joined), GMDS_OK);
+        x++;
+      } else if (kind == 1 || (kind == 2 && random_below(&seed, 2)))
+        ck_assert_int_eq(gmds_soup_add_cell(s, GMDS_QUADRILATERAL, 4, whole), GMDS_OK);
+      else {
+        ck_assert_int_eq(gmds_soup_add_cell(s, GMDS_TRIANGLE, 3, lower), GMDS_OK);
+        ck_assert_int_eq(gmds_soup_add_cell(s, GMDS_TRIANGLE, 3, upper), GMDS_OK);
+      }
+    }
+}
+
+START_TEST(small_meshes_are_as_brute_force_has_them)
+{
+  gmds_memory_init(&memory, NULL);
+  for (uint64_t seed = 1; seed <= 12; seed++)
+    for (int kind = 0; kind < 3; kind++) {
+      gmds_soup s;
+      make_grid(&s, 7, 6, kind, seed);
+      all_models_agree(&s, kind == 0, 0, 1);
+      gmds_soup_clear(&s);
+    }
+}
+END_TEST
+
+START_TEST(an_empty_mesh_has_no_boundary_and_no_component)
+{
+  gmds_soup s;
+  gmds_memory_init(&memory, NULL);
+  gmds_soup_init(&s, &memory, 2);
+  ck_assert_int_eq(gmds_soup_reserve(&s, 1, 1, 1), GMDS_OK);
+  all_models_agree(&s, 1, 0, 1);
+  add(&s, 1, 2);
+  all_models_agree(&s, 1, 1, 1);
+  gmds_soup_clear(&s);
+}
+END_TEST
+
+START_TEST(a_failing_call_changes_nothing)
+{
+  gmds_memory_init(&memory, NULL);
+  for (int kind = 0; kind < 3; kind++) {
+    gmds_soup s;
+    make_grid(&s, 4, 3, kind, 5);
+    all_models_agree(&s, kind == 0, 1, 1);
+    gmds_soup_clear(&s);
+  }
+}
+END_TEST
+
+/* The faces of a file, seen from above: what lies in space is flattened. */
+static void load(const char *folder, const char *file, gmds_soup *s)
+{
+  char command[1200], name[64];
+  snprintf(name, sizeof name, "algorithms_%.*s", (int)strlen(strrchr(file, '/') + 1) - 3, strrchr(file, '/') + 1);
+  snprintf(command, sizeof command, "xz -dc '%s/%s' >%s", folder, file, name);
+  ck_assert_int_eq(system(command), 0);
+  gmds_soup all;
+  gmds_error error = {0};
+  gmds_soup_init(&all, &memory, 3);
+  gmds_soup_init(s, &memory, 2);
+  ck_assert_msg(gmds_read_soup(name, 0, &error, &all) == GMDS_OK, "%s", error.text);
+  remove(name);
+  for (size_t v = 0; v < all.n_points; v++)
+    add(s, all.points[(size_t)all.dim * v], all.points[(size_t)all.dim * v + 1]);
+  for (size_t c = 0; c < all.n_cells; c++)
+    if (gmds_cell_type_dimension((gmds_cell_type)all.types[c]) == 2)
+      ck_assert_int_eq(gmds_soup_add_cell(s, (gmds_cell_type)all.types[c], all.begin[c + 1] - all.begin[c],
+                                          all.corners + all.begin[c]),
+                       GMDS_OK);
+  gmds_soup_clear(&all);
+}
+
+START_TEST(real_meshes_have_their_boundaries_and_components)
+{
+  static const struct {
+    const char *file;
+    int triangles;
+  } files[] = {{"surfaces/cgal_blade_open.off.xz", 1},
+               {"surfaces/cgal_elephant.off.xz", 1},
+               {"volumes/gmds_HolesInSquare2.vtk.xz", 1},
+               {"volumes/gmds_ElipticSmoothTest2_quads.vtk.xz", 0},
+               {"volumes/mmg_naca.mesh.xz", 1}};
+  const char *folder = data_folder("boundaries and components of real meshes");
+  gmds_memory_init(&memory, NULL);
+  for (size_t k = 0; folder && k < sizeof files / sizeof *files; k++) {
+    gmds_soup s;
+    load(folder, files[k].file, &s);
+    all_models_agree(&s, files[k].triangles, 0, 0);
+    gmds_soup_clear(&s);
+  }
+}
+END_TEST
+
+RUN_SUITE("algorithms", small_meshes_are_as_brute_force_has_them, an_empty_mesh_has_no_boundary_and_no_component,
+          a_failing_call_changes_nothing, real_meshes_have_their_boundaries_and_components)

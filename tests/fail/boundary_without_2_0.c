@@ -1,0 +1,7 @@
+// expect: gmds: boundary() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL
+#define GMDS_PREFIX tri
+#define GMDS_MODEL (N | F | F2F)
+#define GMDS_FACES TRIANGLE
+#include <gmds/mesh.h>
+#include <gmds/algorithms/boundary.h>
+#include <gmds/end.h>
