@@ -18,11 +18,11 @@
 
 _Static_assert(GMDS_CAN(2, 0), "gmds: boundary() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL (the inverse of a "
                                "relation will do)");
-_Static_assert(GMDS_ORDERED_2_0 || GMDS__SIMPLICIAL,
+_Static_assert(GMDS_ORDERED_2_0 || GMDS_SIMPLICIAL,
                "gmds: boundary() needs the order of the nodes of faces: add F2N, or define GMDS_FACES TRIANGLE");
 _Static_assert(GMDS_CAN(2, 2), "gmds: boundary() needs 2->2: add F2F, or F2N, or define GMDS_FACES TRIANGLE");
 
-#if GMDS_CAN(2, 0) && (GMDS_ORDERED_2_0 || GMDS__SIMPLICIAL) && GMDS_CAN(2, 2)
+#if GMDS_CAN(2, 0) && (GMDS_ORDERED_2_0 || GMDS_SIMPLICIAL) && GMDS_CAN(2, 2)
 #  define boundary GMDS_FN(boundary)
 #  define is_side_of GMDS_FN(is_side_of)
 #  define is_bare GMDS_FN(is_bare)
@@ -44,12 +44,11 @@ static inline int is_bare(const mesh *m, const gmds_csr *nodes, const gmds_csr *
                           gmds_id b)
 {
 #  if GMDS_ORDERED_2_0 && GMDS_STORED(2, 2)
-  size_t n = 0;
   (void)nodes;
   (void)faces;
   (void)a;
   (void)b;
-  return row_2_2(m, f, &n)[k] == GMDS_NONE;
+  return face_beside(m, f, k) == GMDS_NONE;
 #  else
   (void)k;
   for (size_t i = faces->begin[f]; i < faces->begin[f + 1]; i++) {

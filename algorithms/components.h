@@ -44,11 +44,9 @@ static inline gmds_status components(mesh *m, gmds_id *component, size_t *count)
     component[f] = has_2(m, (gmds_id)f) ? (gmds_id)f : GMDS_NONE;
   for (gmds_id f = next_2(m, 0); f != GMDS_NONE; f = next_2(m, f + 1)) {
 #  if GMDS_STORED(2, 2)
-    size_t n = 0;
-    const gmds_id *row = row_2_2(m, f, &n);
-    for (size_t k = 0; k < n; k++)
-      if (row[k] != GMDS_NONE && face_of(row[k]) < f)
-        join_faces(component, f, face_of(row[k]));
+    for (size_t k = 0; k < face_sides(m, f); k++)
+      if (face_beside(m, f, k) < f) /* GMDS_NONE is larger than any face */
+        join_faces(component, f, face_beside(m, f, k));
 #  else
     for (size_t k = beyond.begin[f]; k < beyond.begin[f + 1]; k++)
       if (beyond.data[k] < f)

@@ -28,8 +28,8 @@
 #include <gmds/predicates.h>
 #include <gmds/threads.h>
 
-_Static_assert(GMDS__DIM == 2, "gmds: delaunay() triangulates the plane: take DIM3 out of GMDS_MODEL");
-_Static_assert(GMDS__TRIANGLES, "gmds: delaunay() makes triangles: add TRIANGLE to GMDS_FACES");
+_Static_assert(GMDS_COORDINATES == 2, "gmds: delaunay() triangulates the plane: take DIM3 out of GMDS_MODEL");
+_Static_assert(GMDS_HAS_TRIANGLES, "gmds: delaunay() makes triangles: add TRIANGLE to GMDS_FACES");
 _Static_assert(!GMDS_STORED(1, 1), "gmds: delaunay() does not keep E2E true: take it out of GMDS_MODEL");
 _Static_assert(GMDS_CAN(2, 0), "gmds: delaunay() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL (the inverse of a "
                                "relation will do)");
@@ -37,7 +37,8 @@ _Static_assert(GMDS_CAN(2, 2), "gmds: delaunay() needs 2->2: add F2F, or F2N, or
 _Static_assert(GMDS_ADDS_FACES,
                "gmds: delaunay() needs to find what is at a side: add F2N, or define GMDS_FACES TRIANGLE");
 
-#if GMDS__DIM == 2 && GMDS__TRIANGLES && !GMDS_STORED(1, 1) && GMDS_CAN(2, 0) && GMDS_CAN(2, 2) && GMDS_ADDS_FACES
+#if GMDS_COORDINATES == 2 && GMDS_HAS_TRIANGLES && !GMDS_STORED(1, 1) && GMDS_CAN(2, 0) && GMDS_CAN(2, 2) && \
+    GMDS_ADDS_FACES
 #  define insertion GMDS_FN(insertion)
 #  define neighbours GMDS_FN(neighbours)
 #  define step_over GMDS_FN(step_over)

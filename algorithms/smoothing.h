@@ -18,15 +18,15 @@
 
 #include <gmds/predicates.h>
 
-_Static_assert(GMDS__DIM == 2, "gmds: smooth() moves nodes of the plane: take DIM3 out of GMDS_MODEL");
+_Static_assert(GMDS_COORDINATES == 2, "gmds: smooth() moves nodes of the plane: take DIM3 out of GMDS_MODEL");
 _Static_assert(GMDS_CAN(2, 0), "gmds: smooth() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL (the inverse of a "
                                "relation will do)");
-_Static_assert(GMDS_ORDERED_2_0 || GMDS__SIMPLICIAL,
+_Static_assert(GMDS_ORDERED_2_0 || GMDS_SIMPLICIAL,
                "gmds: smooth() needs the order of the nodes of faces: add F2N, or define GMDS_FACES TRIANGLE");
 _Static_assert(GMDS_CAN(0, 2), "gmds: smooth() needs 0->2: add N2F, or N2E with E2F, to GMDS_MODEL (the inverse of a "
                                "relation will do)");
 
-#if GMDS__DIM == 2 && GMDS_CAN(2, 0) && (GMDS_ORDERED_2_0 || GMDS__SIMPLICIAL) && GMDS_CAN(0, 2)
+#if GMDS_COORDINATES == 2 && GMDS_CAN(2, 0) && (GMDS_ORDERED_2_0 || GMDS_SIMPLICIAL) && GMDS_CAN(0, 2)
 #  define smoother GMDS_FN(smoother)
 #  define corner_turn GMDS_FN(corner_turn)
 #  define gather_joined GMDS_FN(gather_joined)

@@ -86,6 +86,9 @@
  *   GMDS_STORED(i, j)  it is a stored relation
  *   GMDS_VIEW(i, j)    view_i_j exists
  *   GMDS_ORDERED_2_0   get_adj_2_0 gives the nodes of a face in their order around it
+ *   GMDS_COORDINATES   of a node: 2 or 3
+ *   GMDS_SIMPLICIAL    faces are triangles and nothing else
+ *   GMDS_HAS_TRIANGLES faces may be triangles
  *   GMDS_CONCURRENT_STARS  stars may be made by several threads at once (interface.h)
  *   GMDS_ACROSS        across() gives the face beyond side k of a face, in time that does not grow with the mesh */
 #define GMDS_CAN(i, j) GMDS__CAN_##i##_##j
@@ -96,3 +99,6 @@
   (GMDS_ORDERED_2_0 && (GMDS__S_2_2 || (GMDS__S_2_1 && GMDS__S_1_2) || GMDS__S_0_2 || (GMDS__S_0_1 && GMDS__S_1_2)))
 #define GMDS_CONCURRENT_STARS \
   (GMDS__TRIANGLES && GMDS__CODED && !GMDS__K_1 && !GMDS__S_0_0 && !GMDS__S_0_1 && !GMDS__S_0_2)
+#define GMDS_COORDINATES GMDS__DIM
+#define GMDS_SIMPLICIAL GMDS__SIMPLICIAL
+#define GMDS_HAS_TRIANGLES GMDS__TRIANGLES

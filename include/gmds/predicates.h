@@ -101,6 +101,19 @@ static inline int gmds_incircle_filter(const double a[2], const double b[2], con
   return gmds_incircle_bounded(a, b, c, d, GMDS_INCIRCLE_BOUND, GMDS_INCIRCLE_BOUND);
 }
 
+/* Two doubles that are worked on at once. */
+typedef double gmds_lanes __attribute__((vector_size(16)));
+
+/* Bit k: whether x is above y in lane k. */
+static inline unsigned gmds_lanes_above(gmds_lanes x, gmds_lanes y)
+{
+#if defined __SSE2__
+  return (unsigned)__builtin_ia32_movmskpd((gmds_lanes)(x > y));
+#else
+  return (unsigned)(x[0] > y[0]) | (unsigned)(x[1] > y[1]) << 1;
+#endif
+}
+
 /* The incircle filter of two triangles and one point at a time, in the lanes of vectors of two doubles: less than the
  * work of one call and a half. Bit k of the value is set where d lies inside the circle of triangle k for certain, bit k
  * of *undecided where the filter cannot tell, which it never can when a coordinate of that triangle is not a number. */
@@ -108,16 +121,14 @@ static inline unsigned gmds_incircle_filter_pair(const double a0[2], const doubl
                                                  const double a1[2], const double b1[2], const double c1[2],
                                                  const double d[2], unsigned *undecided)
 {
-  typedef double lanes __attribute__((vector_size(16)));
-  const lanes t = {0x1p-500, 0x1p-500};
-  lanes ax = {a0[0] - d[0], a1[0] - d[0]}, ay = {a0[1] - d[1], a1[1] - d[1]};
-  lanes bx = {b0[0] - d[0], b1[0] - d[0]}, by = {b0[1] - d[1], b1[1] - d[1]};
-  lanes cx = {c0[0] - d[0], c1[0] - d[0]}, cy = {c0[1] - d[1], c1[1] - d[1]};
-  lanes alift = ax * ax + ay * ay, blift = bx * bx + by * by, clift = cx * cx + cy * cy;
-  lanes det = alift * (bx * cy - cx * by) + blift * (cx * ay - ax * cy) + clift * (ax * by - bx * ay);
-  lanes bound = GMDS_INCIRCLE_BOUND * (alift * blift + (clift + t) * (alift + blift + t));
-  unsigned inside = (unsigned)(det[0] > bound[0]) | (unsigned)(det[1] > bound[1]) << 1;
-  unsigned outside = (unsigned)(-det[0] > bound[0]) | (unsigned)(-det[1] > bound[1]) << 1;
+  const gmds_lanes t = {0x1p-500, 0x1p-500};
+  gmds_lanes ax = {a0[0] - d[0], a1[0] - d[0]}, ay = {a0[1] - d[1], a1[1] - d[1]};
+  gmds_lanes bx = {b0[0] - d[0], b1[0] - d[0]}, by = {b0[1] - d[1], b1[1] - d[1]};
+  gmds_lanes cx = {c0[0] - d[0], c1[0] - d[0]}, cy = {c0[1] - d[1], c1[1] - d[1]};
+  gmds_lanes alift = ax * ax + ay * ay, blift = bx * bx + by * by, clift = cx * cx + cy * cy;
+  gmds_lanes det = alift * (bx * cy - cx * by) + blift * (cx * ay - ax * cy) + clift * (ax * by - bx * ay);
+  gmds_lanes bound = GMDS_INCIRCLE_BOUND * (alift * blift + (clift + t) * (alift + blift + t));
+  unsigned inside = gmds_lanes_above(det, bound), outside = gmds_lanes_above(-det, bound);
   *undecided = (inside | outside) ^ 3;
   return inside;
 }

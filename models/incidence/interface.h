@@ -301,6 +301,20 @@ static inline gmds_status remove_node(mesh *m, gmds_id v, gmds_around around);
  * The three nodes of a live triangle (not checked) in order. In models with GMDS_ORDERED_2_0. */
 #if GMDS_ORDERED_2_0
 static inline void triangle_nodes(const mesh *m, gmds_id f, gmds_id v[3]);
+
+/* Node k of a live face, k below the number of its nodes (not checked). The same models. Constant. */
+static inline gmds_id face_node(const mesh *m, gmds_id f, size_t k);
+#endif
+
+/* How many sides a live face has (not checked). In models that store a relation of faces. */
+#if GMDS__INLINE || GMDS__S_2_0 || GMDS__S_2_1 || GMDS__S_2_2
+static inline size_t face_sides(const mesh *m, gmds_id f);
+#endif
+
+/* Entry k of F2F of a live face, k below face_sides (neither checked): the face there, or GMDS_NONE. Where the order is
+ * kept (GMDS_ORDERED_2_0) it is what lies beyond side k. In models that store F2F. Constant. */
+#if GMDS__S_2_2
+static inline gmds_id face_beside(const mesh *m, gmds_id f, size_t k);
 #endif
 
 /* The face beyond side k of a live face (not checked), or GMDS_NONE; *arrival is the number of the side there.

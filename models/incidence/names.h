@@ -45,6 +45,7 @@
 #define get_adj_2_2 GMDS_FN(get_adj_2_2)
 #define face_sides GMDS_FN(face_sides)
 #define face_node GMDS_FN(face_node)
+#define face_beside GMDS_FN(face_beside)
 #define find_side GMDS_FN(find_side)
 #define triangle_nodes GMDS_FN(triangle_nodes)
 #define across GMDS_FN(across)

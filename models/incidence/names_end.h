@@ -45,6 +45,7 @@
 #undef get_adj_2_2
 #undef face_sides
 #undef face_node
+#undef face_beside
 #undef find_side
 #undef triangle_nodes
 #undef across

@@ -21,6 +21,14 @@ static inline size_t face_sides(const mesh *m, gmds_id f)
 }
 #endif
 
+#if GMDS__S_2_2
+static inline gmds_id face_beside(const mesh *m, gmds_id f, size_t k)
+{
+  size_t n = 0;
+  return face_of(row_2_2(m, f, &n)[k]);
+}
+#endif
+
 #if GMDS_ORDERED_2_0
 /* Node k of face f. */
 static inline gmds_id face_node(const mesh *m, gmds_id f, size_t k)
