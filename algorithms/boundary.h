@@ -9,7 +9,7 @@
  *     open    receives how many chains are open; they come first. Sides of more than two faces can leave such: a boundary
  *             without them is all loops
  *   GMDS_OK or GMDS_ERR_MEMORY (nothing has changed). Working space comes from the mesh's memory. O(mesh), times the square
- *   of the sides of a face where F2F is not stored. */
+ *   of the sides of a face where F2F is not stored; where many loops touch in one node also the square of their number. */
 #ifndef GMDS__OPEN
 #  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/boundary.h>"
 #endif

@@ -6,8 +6,8 @@
  *     component  end_2 entries: receives the number of the component of each face, counted from 0 in the order of the first
  *                face of each; GMDS_NONE where no face is alive
  *     count      receives how many components there are
- *   GMDS_OK or GMDS_ERR_MEMORY (nothing was written). Working space comes from the mesh's memory. O(mesh), nearly: a
- *   forest in which the smaller face is the parent, paths halved (Tarjan and van Leeuwen, 1984). */
+ *   GMDS_OK or GMDS_ERR_MEMORY (nothing was written). Working space comes from the mesh's memory. O(mesh and
+ *   2 -> 2), nearly: a forest in which the smaller face is the parent, paths halved (Tarjan and van Leeuwen, 1984). */
 #ifndef GMDS__OPEN
 #  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/components.h>"
 #endif

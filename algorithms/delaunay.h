@@ -65,6 +65,7 @@ _Static_assert(GMDS_ADDS_FACES,
 #  define cut_strips GMDS_FN(cut_strips)
 #  define find_start GMDS_FN(find_start)
 #  define insert_strip GMDS_FN(insert_strip)
+#  define tell_progress GMDS_FN(tell_progress)
 #  define set_up_threads GMDS_FN(set_up_threads)
 #  define insert_strips GMDS_FN(insert_strips)
 #  define insert_stage GMDS_FN(insert_stage)
@@ -114,6 +115,7 @@ _Static_assert(GMDS_ADDS_FACES,
 #  undef cut_strips
 #  undef find_start
 #  undef insert_strip
+#  undef tell_progress
 #  undef set_up_threads
 #  undef insert_strips
 #  undef insert_stage

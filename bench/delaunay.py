@@ -74,6 +74,8 @@ def main():
     parser.add_argument("--runs", type=int, default=7, help="counted turns (default 7)")
     parser.add_argument("spec", nargs="+")
     options = parser.parse_args()
+    if options.runs < 5:
+        parser.error("--runs: a median of fewer than 5 turns says little")
     for spec in options.spec:
         with tempfile.TemporaryDirectory() as folder:
             print(json.dumps(measure(spec, options, folder)), flush=True)

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Table 4 and Figure 8 of "A generic and flexible framework for 2D and 3D multi-model meshes", and more of the same: time
 and memory of one Bowyer-Watson text per mesh model, made by `gmds sweep` alone.
 
@@ -17,7 +17,10 @@ import os
 import statistics
 import subprocess
 
-import matplotlib
+try:
+    import matplotlib
+except ImportError:
+    raise SystemExit("bench/models.py needs python3-matplotlib (and on Debian /usr/bin/python3, to which it belongs)")
 
 matplotlib.use("svg")
 matplotlib.rcParams["svg.hashsalt"] = "gmds"

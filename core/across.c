@@ -34,27 +34,33 @@ static gmds_status faces_beyond(derived *d, gmds_csr *csr)
   const gmds_cells *faces = &d->from->cells[2];
   gmds_csr on;
   size_t most = 0, used = 0;
+  void *block = NULL; /* for each face the last one that it was met from */
   gmds_csr_init(&on, d->memory);
   gmds_status status = derive_faces_of_groups(d, &on);
+  if (status == GMDS_OK && !gmds_resize(d->memory, &block, 0, faces->end, sizeof(gmds_id)))
+    status = GMDS_ERR_MEMORY;
+  gmds_id *met = block;
+  if (met)
+    memset(met, 0xff, faces->end * sizeof *met);
   for (size_t g = 0; status == GMDS_OK && g < on.n; g++)
     most += (on.begin[g + 1] - on.begin[g]) * (on.begin[g + 1] - on.begin[g] - (on.begin[g + 1] > on.begin[g]));
   if (status == GMDS_OK)
     status = begin_rows(faces->end, most, csr);
   for (gmds_id f = 0; status == GMDS_OK && f < faces->end; f++) {
-    size_t n = 0, base = view_base(&d->nodes, f), first = used;
+    size_t n = 0, base = view_base(&d->nodes, f);
     if (gmds_bits_get(&faces->alive, f))
       view_row(&d->nodes, f, &n);
     for (size_t k = 0; k < n; k++)
       for (size_t i = on.begin[d->group[base + k]]; i < on.begin[d->group[base + k] + 1]; i++) {
         gmds_id x = on.data[i];
-        size_t q = first;
-        while (q < used && csr->data[q] != x)
-          q++;
-        if (x != f && q == used)
+        if (x != f && met[x] != f) {
+          met[x] = f;
           csr->data[used++] = x;
+        }
       }
     csr->begin[f + 1] = used;
   }
+  gmds_release(d->memory, met, met ? faces->end : 0, sizeof *met);
   gmds_csr_clear(&on);
   return status;
 }

@@ -48,7 +48,7 @@ gmds_status gmds_cells_resize(gmds_cells *cells, size_t capacity)
   GMDS_TRY(gmds_bits_resize(&cells->alive, capacity));
   for (gmds_attribute *a = cells->attributes; a; a = a->next)
     if (!gmds_resize(cells->alive.memory, &a->data, cells->capacity, capacity, a->bytes)) {
-      /* give back what the columns before it have grown by: a shrinking block stays valid even when it cannot move */
+      /* give back what the columns before it have grown by, which cannot fail */
       for (gmds_attribute *b = cells->attributes; b != a; b = b->next)
         (void)gmds_resize(cells->alive.memory, &b->data, capacity, cells->capacity, b->bytes);
       (void)gmds_bits_resize(&cells->alive, cells->capacity);

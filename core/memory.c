@@ -6,11 +6,12 @@
 static void *system_resize(void *user, void *block, size_t old_bytes, size_t new_bytes)
 {
   (void)user;
-  (void)old_bytes;
-  if (new_bytes)
-    return realloc(block, new_bytes);
-  free(block);
-  return NULL;
+  if (!new_bytes) {
+    free(block);
+    return NULL;
+  }
+  void *moved = realloc(block, new_bytes);
+  return moved || new_bytes > old_bytes ? moved : block;
 }
 
 void gmds_memory_init(gmds_memory *memory, const gmds_allocator *allocator)
@@ -30,8 +31,10 @@ int gmds_resize(gmds_memory *memory, void **block, size_t old_count, size_t new_
   if (new_bytes > old_bytes && (memory->live > memory->limit || new_bytes - old_bytes > memory->limit - memory->live))
     return 0;
   void *moved = memory->allocator.resize(memory->allocator.user, *block, old_bytes, new_bytes);
-  if (!moved && new_bytes)
+  if (!moved && new_bytes > old_bytes)
     return 0;
+  if (!moved && new_bytes)
+    moved = *block; /* a call for fewer bytes does not fail */
   *block = moved;
   memory->live = memory->live - old_bytes + new_bytes;
   if (memory->live > memory->peak)

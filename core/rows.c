@@ -122,7 +122,7 @@ gmds_status gmds_rows_resize(gmds_rows *rows, gmds_memory *memory, size_t n)
   while (done < 3 && (status = resize_part(memory, &part[done], had, n, bytes[done])) == GMDS_OK)
     done++;
   if (status != GMDS_OK)
-    for (int k = 0; k < done; k++) /* what had grown goes back; a block that cannot be cut is still large enough */
+    for (int k = 0; k < done; k++) /* what had grown goes back, which cannot fail */
       (void)gmds_resize(memory, &part[k], n, had, bytes[k]);
   else
     rows->n_rows = n;

@@ -92,7 +92,7 @@ static void print_cells(const char *model, unsigned long n, cells_report *r, int
     const char *comma = k ? "," : "";
     double seconds = r->done[work] ? median(r->done[work], r->seconds[work]) : 0;
     if (json && r->done[work])
-      printf("%s\"%s\":%.6f", comma, works[k].key, seconds);
+      printf("%s\"%s\":%.9f", comma, works[k].key, seconds);
     else if (json)
       printf("%s\"%s\":null", comma, works[k].key);
     else if (r->done[work])
@@ -226,7 +226,7 @@ static int bench_predicates(int json)
 
 static int run(const verb *v, int argc, char **argv)
 {
-  const char *what = NULL, *size = NULL, *model = "N|F|F2N|F2F";
+  const char *what = NULL, *size = NULL, *model = NULL;
   int json = 0;
   const option options[] = {{"n", 0, &size, NULL, "N  cells: N x N squares, each cut into two triangles"},
                             {"model", 0, &model, NULL, "MASK  mesh model (default N|F|F2N|F2F)"},
@@ -235,11 +235,11 @@ static int run(const verb *v, int argc, char **argv)
   if (code >= 0)
     return code;
   if (strcmp(what, "cells") == 0)
-    return bench_cells(v, size, model, json);
+    return bench_cells(v, size, model ? model : "N|F|F2N|F2F", json);
   if (strcmp(what, "hexgrid") == 0)
     return failed("bench hexgrid: this version has no combinatorial maps");
   if (strcmp(what, "predicates") == 0)
-    return size ? misused(v, "--n belongs to 'cells'") : bench_predicates(json);
+    return size || model ? misused(v, "--%s belongs to 'cells'", size ? "n" : "model") : bench_predicates(json);
   return misused(v, "there is nothing called '%s' to measure", what);
 }
 

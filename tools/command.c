@@ -242,7 +242,8 @@ gmds_status find_model(const char *text, gmds_error *error, model_choice *choice
     found.owner = entry;
     length = strcspn(text + at + 1, "+");
     snprintf(words, sizeof words, "%.*s", (int)length, text + at + 1);
-    words[strcspn(words, " ") ? strcspn(words, " ") : strlen(words)] = 0;
+    for (size_t k = strlen(words); k && words[k - 1] == ' '; k--)
+      words[k - 1] = 0;
     GMDS_TRY(lend(words, error, &found));
     at += length + 1;
   }

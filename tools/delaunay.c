@@ -51,7 +51,7 @@ static int run(const verb *v, int argc, char **argv)
   if (number == 3)
     return failed("--dim 3: this version triangulates the plane only");
   if (!read_number(threads, 1, 4096, &number))
-    return misused(v, "--threads is a number from 1, not '%s'", threads);
+    return misused(v, "--threads is a number from 1 to 4096, not '%s'", threads);
   const int n_threads = (int)number;
   gmds_error error = {.status = GMDS_OK};
   model_choice choice;
@@ -85,7 +85,7 @@ static int run(const verb *v, int argc, char **argv)
   if (status == GMDS_OK && output)
     status = write_any(output, &triangles, &error);
   if (status == GMDS_OK)
-    print_report(points.n_points, &report, model, json);
+    print_report(points.n_points, &report, choice.name, json);
   gmds_soup_clear(&points);
   gmds_soup_clear(&triangles);
   return status == GMDS_OK ? DONE : failed("%s", error.text);

@@ -61,9 +61,9 @@ static gmds_status choose(sweep *s, gmds_error *error)
   if (all || paper || fourth)
     return GMDS_OK;
   for (const char *at = s->models;; at++) {
-    char text[256];
+    char text[512]; /* find_model() refuses what is half as long */
     size_t length = strcspn(at, ",");
-    snprintf(text, sizeof text, "%.*s", length > 255 ? 255 : (int)length, at);
+    snprintf(text, sizeof text, "%.*s", length > 511 ? 511 : (int)length, at);
     GMDS_TRY(find_model(text, error, &s->chosen[s->n]));
     s->n++;
     at += length;

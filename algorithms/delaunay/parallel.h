@@ -8,8 +8,8 @@
  *   - a thread reads the neighbours of faces that are its own, and the nodes of faces that share two nodes with such a
  *     face: these are its own too or have nodes of several threads, and then nobody writes them.
  * The ghost counts as everyone's node. What was put off is cut into strips across, and the little that is left goes in by
- * one thread. This is done in stages, of which each inserts seven times the points there are. The triangulation is unique, so that it does not depend on any of this; the numbering of faces depends on
- * the number of threads alone. */
+ * one thread. This is done in stages, of which each inserts seven times the points there are. The triangulation is unique,
+ * so that it does not depend on any of this; the numbering of faces depends on the number of threads alone. */
 #if GMDS_CONCURRENT_STARS
 
 #  define GMDS__SAMPLE 1024
@@ -30,6 +30,8 @@ typedef struct concurrent {
   gmds_status status[GMDS_MAX_THREADS];
   const gmds_delaunay_options *options;
   size_t sampled;      /* faces below this number had rows before any thread began */
+  _Atomic size_t done; /* points inserted */
+  _Atomic int calling; /* threads that are in options->progress, or would be */
   _Atomic int stopped; /* by the caller, or a failure */
 } concurrent;
 
@@ -78,7 +80,7 @@ static inline void cut_strips(concurrent *c, int axis)
   size_t n = c->n < GMDS__SAMPLE ? c->n : GMDS__SAMPLE;
   c->axis = axis;
   for (size_t i = 0; i < n; i++)
-    sample[i] = point(c->in->m, c->todo[i * (c->n / n)])[axis];
+    sample[i] = point(c->in->m, c->todo[c->n / n * i + c->n % n * i / n])[axis];
   sort_sample(n, sample);
   for (unsigned t = 0; t < c->threads; t++) {
     c->cut[t] = t + 1 < c->threads ? sample[n * (t + 1) / c->threads] : HUGE_VAL;
@@ -118,6 +120,19 @@ static inline int find_start(concurrent *c, unsigned t)
   return 0;
 }
 
+/* Counts points as inserted and, if no other thread does so now, tells the caller how many are; notes when it wants no
+ * more. Any thread may be the one: whichever has work goes on calling. */
+static inline void tell_progress(concurrent *c, size_t inserted)
+{
+  const gmds_delaunay_options *o = c->options;
+  c->done += inserted;
+  if (!o || !o->progress)
+    return;
+  if (c->calling++ == 0 && o->progress(o->user, c->done, c->in->ghost))
+    c->stopped = 1;
+  c->calling--;
+}
+
 /* Inserts the points of strip t; those put off gather at its beginning. */
 static inline void insert_strip(void *work, unsigned t)
 {
@@ -125,14 +140,11 @@ static inline void insert_strip(void *work, unsigned t)
   concurrent *c = work;
   insertion *in = &c->in[t];
   gmds_id *todo = c->dealt + c->begin[t];
-  size_t n = c->starts[t] ? c->begin[t + 1] - c->begin[t] : 0, kept = 0, total = count_0(in->m) - 1;
-  const gmds_delaunay_options *o = c->options;
+  size_t n = c->starts[t] ? c->begin[t + 1] - c->begin[t] : 0, kept = 0, told = 0;
   for (size_t i = 0; i < n; i++) {
     if (i % EVERY == 0) {
-      if (t == 0 && o && o->progress && o->progress(o->user, total - c->n + i * c->threads, total)) {
-        c->status[t] = GMDS_ERR_CANCELLED;
-        c->stopped = 1;
-      }
+      tell_progress(c, i - kept - told);
+      told = i - kept;
       if (c->stopped)
         return;
     }
@@ -146,8 +158,10 @@ static inline void insert_strip(void *work, unsigned t)
     if (in->deferred)
       todo[kept++] = todo[i];
   }
-  if (c->starts[t])
+  if (c->starts[t]) {
     c->kept[t] = kept;
+    c->done += n - kept - told;
+  }
 }
 
 /* Sets all threads up. Faces are dealt out from the front of the ranges, two a point, in pieces; an empty piece ends a
@@ -206,6 +220,7 @@ static inline gmds_status insert_strips(concurrent *c, int axis, face_range *ran
 /* Inserts nodes first to end - 1 but `third`, a sample of the curve, into the triangulation of those before. */
 static inline gmds_status insert_stage(concurrent *c, gmds_id first, gmds_id end, gmds_id third)
 {
+  enum { EVERY = 4096 };
   insertion *in = c->in;
   const unsigned threads = c->threads;
   face_range ranges[4 * GMDS_MAX_THREADS + 4] = {in->fresh, {0, 0}};
@@ -221,8 +236,15 @@ static inline gmds_status insert_stage(concurrent *c, gmds_id first, gmds_id end
   c->threads = 1;
   if (c->n > 0 && !find_start(c, 0))
     return GMDS_ERR_INVARIANT;
-  for (size_t i = 0; i < c->n; i++)
+  for (size_t i = 0; i < c->n; i++) {
+    if (i % EVERY == 0) {
+      tell_progress(c, i ? EVERY : 0);
+      if (c->stopped)
+        return GMDS_ERR_CANCELLED;
+    }
     GMDS_TRY(insert_alone(in, c->todo[i]));
+  }
+  c->done += c->n ? c->n - (c->n - 1) / EVERY * EVERY : 0;
   c->threads = threads;
   if (in->fresh.first == in->fresh.end)
     in->fresh = *in->more; /* what the other stages need */
@@ -240,7 +262,7 @@ static inline gmds_status insert_by_threads(unsigned threads, insertion *in, gmd
   const gmds_id end = in->ghost;
   size_t room = end - first;
   void *todo = NULL, *dealt = NULL, *count = NULL;
-  concurrent c = {.threads = threads, .in = in, .options = options};
+  concurrent c = {.threads = threads, .in = in, .options = options, .done = first};
   gmds_status status = GMDS_ERR_MEMORY;
   if (gmds_resize(memory, &todo, 0, room, sizeof *c.todo) && gmds_resize(memory, &dealt, 0, room, sizeof *c.dealt) &&
       gmds_resize(memory, &count, 0, threads, sizeof *c.count)) {

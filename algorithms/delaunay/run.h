@@ -87,7 +87,7 @@ static inline unsigned threads_for(size_t n, const gmds_delaunay_options *option
 }
 
 /* Triangulates the nodes of a mesh that has no faces. */
-static inline gmds_status triangulate_nodes(mesh *m, const gmds_delaunay_options *options)
+static inline gmds_status triangulate_nodes(mesh *m, const gmds_delaunay_options *options, size_t *steps)
 {
   unsigned threads = threads_for(count_0(m), options);
   void *block = NULL;
@@ -100,8 +100,11 @@ static inline gmds_status triangulate_nodes(mesh *m, const gmds_delaunay_options
     gmds_ids_init(&in[t].nodes, mesh_memory(m));
   }
   gmds_status status = insert_all(in, threads, options);
-  for (unsigned t = 0; t < threads; t++)
+  *steps = 0;
+  for (unsigned t = 0; t < threads; t++) {
+    *steps += in[t].steps;
     clear_insertion(&in[t]);
+  }
   gmds_release(mesh_memory(m), block, threads, sizeof(insertion));
   return status;
 }
@@ -128,12 +131,14 @@ static inline gmds_status delaunay(mesh *m, size_t n, const double *xy, const gm
   gmds_release(mesh_memory(m), order, order ? n : 0, sizeof(gmds_id));
   size_t nodes = count_0(m);
   if (status == GMDS_OK) {
-    status = triangulate_nodes(m, options);
+    size_t steps = 0;
+    status = triangulate_nodes(m, options, &steps);
     if (status == GMDS_OK)
       status = compact(m, NULL);
     if (status == GMDS_OK)
       status = trim(m);
     if (status == GMDS_OK && result) {
+      result->steps = steps;
       result->dimension = count_2(m) ? 2 : nodes > 1 ? 1 : (int)nodes - 1;
       if (result->dimension == 0 || result->dimension == 1)
         status = sort_chain(m, result);

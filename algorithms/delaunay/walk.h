@@ -19,6 +19,7 @@ typedef struct insertion {
   gmds_id ghost;
   gmds_cavity_face last;   /* a finite triangle near the last point */
   size_t n_faces, n_sides; /* of the cavity */
+  size_t steps;            /* of all walks */
   size_t capacity;         /* the lists hold as many faces, and two more sides */
   gmds_cavity_face *faces;
   gmds_cavity_side *sides;
@@ -167,6 +168,9 @@ GMDS_SPECIALISED gmds_status locate(insertion *in, const double p[2], int sharin
       continue;
     }
     gmds_cavity_face next;
+    if (sharing == GMDS__SHARED)
+      in->last = t; /* so that a point that is put off does not make the next walk longer */
+    in->steps++;
     GMDS_TRY(step_over(in, &t, q, &next));
     t = next;
     if (t.node[2] == in->ghost)

@@ -14,7 +14,7 @@ typedef struct gmds_delaunay_options {
   void *user;
   /* How many threads may work, 0 counts as 1. More than one where the model allows (GMDS_CONCURRENT_STARS) and there are at
    * least 4096 points a thread; the triangles are the same, their numbers depend on the number of threads and on nothing
-   * else. `progress` is called by the caller's thread. */
+   * else. `progress` is then called by any of them, one at a time. */
   int threads;
   gmds_error *error; /* receives the sentence of a failure; may be NULL */
 } gmds_delaunay_options;
@@ -26,6 +26,7 @@ typedef struct gmds_delaunay_result {
   int dimension;      /* of the points: -1 (none), 0, 1 (on one line) or 2 */
   size_t points;      /* how many were given */
   size_t distinct;    /* how many of them differ: the nodes of the mesh */
+  size_t steps;       /* triangles that the walks to the points went through, some 2.3 a point */
   gmds_id *node_of;   /* `points` entries: the node of each point; of equal points the first gives the node */
   gmds_id *chain;     /* dimension 0 and 1: the `distinct` nodes in order along the line; else NULL */
 } gmds_delaunay_result;

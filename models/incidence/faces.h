@@ -40,11 +40,14 @@ static inline void remove_all_faces(mesh *m)
 static inline gmds_status check_faces(mesh *m, size_t n, const size_t *begin, const gmds_id *nodes, size_t *failed)
 {
   for (size_t f = 0; f < n; f++) {
-    size_t first = begin ? begin[f] : 3 * f, sides = begin ? begin[f + 1] - first : 3;
-    *failed = f;
-    if (!allows_sides(sides))
-      return GMDS_ERR_ARGUMENT;
-    GMDS_TRY(check_nodes(m, sides, nodes + first));
+    size_t first = begin ? begin[f] : 3 * f, sides = 3;
+    if (begin)
+      sides = begin[f + 1] > first ? begin[f + 1] - first : 0;
+    gmds_status status = allows_sides(sides) ? check_nodes(m, sides, nodes + first) : GMDS_ERR_ARGUMENT;
+    if (status != GMDS_OK) {
+      *failed = status == GMDS_ERR_MEMORY ? n : f;
+      return status;
+    }
   }
   *failed = n;
   return GMDS_OK;

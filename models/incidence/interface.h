@@ -147,7 +147,8 @@ GMDS__SORRY(2, 2, GMDS_PATHS_2_2) gmds_status get_adj_2_2(const mesh *m, gmds_id
 #endif
 
 /* The same for every i-cell at once: row c of the csr (empty where c is not alive) is what get_adj_i_j gives for c.
- * The csr is initialised and empty, its memory is the caller's. GMDS_OK or GMDS_ERR_MEMORY (it stays empty). O(mesh). */
+ * The csr is initialised and empty, its memory is the caller's. GMDS_OK or GMDS_ERR_MEMORY (it stays empty). O(mesh), the
+ * answer included: k faces on one edge have k (k - 1) neighbours. */
 #if GMDS__CAN_0_0
 static inline gmds_status all_adj_0_0(const mesh *m, gmds_csr *csr);
 #endif
@@ -273,7 +274,8 @@ static inline gmds_status add_quadrilateral(mesh *m, gmds_id a, gmds_id b, gmds_
 
 /* Many faces at once, in time linear in their sides whatever the model: face f has the nodes nodes[begin[f]] to
  * nodes[begin[f + 1] - 1], or three of them where begin is NULL. In a mesh that holds no edge and no face, so that they
- * get the identifiers 0 to n - 1. As n times add_face, and GMDS_ERR_ARGUMENT where there are edges or faces already;
+ * get the identifiers 0 to n - 1. As n times add_face, and GMDS_ERR_ARGUMENT where there are edges or faces already, or
+ * where begin descends;
  * *failed, if not NULL, is the face that could not be added, or n where none is to blame. */
 static inline gmds_status add_faces(mesh *m, size_t n, const size_t *begin, const gmds_id *nodes, size_t *failed);
 
@@ -357,7 +359,8 @@ static inline void star_of(mesh *m, gmds_id apex, size_t n_faces, const gmds_cav
 /* ---- the whole mesh
 
  * Verifies every stored relation against all others. GMDS_OK; GMDS_ERR_INVARIANT (`error` names the first violation);
- * GMDS_ERR_MEMORY. Working space comes from `memory`. O(mesh). */
+ * GMDS_ERR_MEMORY. Working space comes from `memory`. O(mesh), for N2N, E2E and F2F also the squares of the numbers of
+ * neighbours (check.h). */
 static inline gmds_status check(const mesh *m, gmds_memory *memory, gmds_error *error);
 
 /* Fills an empty mesh from a soup: its points become nodes in their order, its faces faces; edges are added where the
@@ -380,7 +383,8 @@ static inline void give_parts(mesh *m, gmds_parts *parts);
 /* Makes an empty mesh of this model hold the parts that a mesh of any model gave. What both models store is moved, what
  * this one stores more is built, what it stores less is freed. Cells keep their identifiers and attributes; edges go where
  * this model keeps none, and come, one for each two nodes that a face joins, where the other had none. What the mesh held
- * (room, attributes without values) is freed, its memory becomes that of the parts.
+ * (room, attributes without values) is freed, its memory becomes that of the parts. Edges that no relation of this model
+ * links with anything else are kept, and only counted.
  * GMDS_OK (no parts are left); GMDS_ERR_ARGUMENT (the mesh is not empty, or there are no parts) or any status of
  * gmds_parts_convert: mesh and parts are as they were, and the mesh that gave the parts can take them again, which
  * allocates nothing. `error` may be NULL. O(cells and entries); constant time where both models store the same. */

@@ -88,6 +88,34 @@ START_TEST(a_list_that_cannot_grow_is_unchanged)
 }
 END_TEST
 
+/* An allocator that cannot cut a block: it answers NULL, against its contract. */
+static void *cut_nothing(void *user, void *block, size_t old_bytes, size_t new_bytes)
+{
+  (void)user;
+  if (new_bytes && new_bytes < old_bytes)
+    return NULL;
+  void *moved = new_bytes ? realloc(block, new_bytes) : NULL;
+  if (!new_bytes)
+    free(block);
+  return moved;
+}
+
+START_TEST(fewer_bytes_are_never_refused)
+{
+  gmds_memory memory;
+  void *block = NULL;
+  const gmds_allocator allocator = {cut_nothing, NULL};
+  gmds_memory_init(&memory, &allocator);
+  ck_assert(gmds_resize(&memory, &block, 0, 100, 8));
+  void *whole = block;
+  ck_assert(gmds_resize(&memory, &block, 100, 10, 8));
+  ck_assert_ptr_eq(block, whole);
+  ck_assert_uint_eq(memory.live, 80);
+  gmds_release(&memory, block, 10, 8);
+  ck_assert_uint_eq(memory.live, 0);
+}
+END_TEST
+
 START_TEST(every_status_has_a_text)
 {
   for (int s = 0; s < GMDS_STATUS_COUNT; s++)
@@ -100,4 +128,4 @@ START_TEST(every_status_has_a_text)
 END_TEST
 
 RUN_SUITE("memory", live_and_peak_are_exact, overflow_and_limit_are_refused, keep_counts_multiplicities,
-          a_list_that_cannot_grow_is_unchanged, every_status_has_a_text)
+          a_list_that_cannot_grow_is_unchanged, fewer_bytes_are_never_refused, every_status_has_a_text)

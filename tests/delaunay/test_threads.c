@@ -97,6 +97,30 @@ START_TEST(points_that_strips_do_not_divide_are_inserted_too)
 }
 END_TEST
 
+/* Points that one thread must put off in a row do not make the walks longer: nearly all points on one line, which is
+ * where the strips are cut. A walk that began where the last insertion was would go through thousands of triangles. */
+START_TEST(points_that_are_put_off_do_not_make_the_walks_longer)
+{
+  gmds_memory memory;
+  gmds_soup soup = points_of("random:40000:8", &memory);
+  for (size_t i = 0; i < soup.n_points; i++)
+    if (i % 1000)
+      soup.points[2 * i] = 0.5;
+  for (int threads = 1; threads <= 4; threads *= 2) {
+    tri_mesh m;
+    gmds_delaunay_result result = {.dimension = 0};
+    const gmds_delaunay_options options = {.threads = threads};
+    tri_mesh_init(&m, NULL);
+    ck_assert_int_eq(tri_delaunay(&m, soup.n_points, soup.points, &options, &result), GMDS_OK);
+    ck_assert_uint_gt(result.steps, soup.n_points);
+    ck_assert_msg(result.steps < 50 * soup.n_points, "%d threads: %zu steps", threads, result.steps);
+    gmds_delaunay_result_clear(&result);
+    tri_mesh_clear(&m);
+  }
+  gmds_soup_clear(&soup);
+}
+END_TEST
+
 START_TEST(the_numbering_depends_on_the_number_of_threads_alone)
 {
   gmds_memory memory;
@@ -116,12 +140,15 @@ END_TEST
 
 typedef struct patience {
   long calls, until;
+  size_t done;
 } patience;
 
 static int give_up(void *user, size_t done, size_t total)
 {
   patience *p = user;
   ck_assert_uint_le(done, total);
+  ck_assert_uint_ge(done, p->done); /* never goes back */
+  p->done = done;
   return ++p->calls >= p->until;
 }
 
@@ -131,7 +158,7 @@ START_TEST(cancelling_at_any_call_leaves_the_mesh_empty)
   gmds_soup soup = points_of("random:20000:5", &memory);
   int cancelled = 0;
   for (long until = 1, done = 0; !done; until++) {
-    patience p = {0, until};
+    patience p = {0, until, 0};
     tri_mesh m;
     const gmds_delaunay_options options = {.progress = give_up, .user = &p, .threads = 2};
     tri_mesh_init(&m, NULL);
@@ -144,6 +171,31 @@ START_TEST(cancelling_at_any_call_leaves_the_mesh_empty)
   }
   ck_assert_int_gt(cancelled, 2);
   gmds_soup_clear(&soup);
+}
+END_TEST
+
+/* Whatever the points, progress is called for each few thousand of them, and by the end for nearly all. */
+START_TEST(progress_is_told_to_the_end)
+{
+  const char *const specs[] = {"random:40000:5", "circle:40000", "grid:200", "random:16383:1"};
+  for (size_t i = 0; i < sizeof specs / sizeof *specs; i++)
+    for (int threads = 2; threads <= 3; threads++) {
+      gmds_memory memory;
+      gmds_soup soup = points_of(specs[i], &memory);
+      for (size_t k = 0; i == 2 && k < soup.n_points; k++)
+        soup.points[2 * k] = k % 2 ? 1 : 0; /* two columns: nearly all points are put off */
+      patience p = {0, 1000000, 0};
+      tri_mesh m;
+      gmds_delaunay_result result = {.dimension = 0};
+      const gmds_delaunay_options options = {.progress = give_up, .user = &p, .threads = threads};
+      tri_mesh_init(&m, NULL);
+      ck_assert_int_eq(tri_delaunay(&m, soup.n_points, soup.points, &options, &result), GMDS_OK);
+      ck_assert_msg((size_t)p.calls >= result.distinct / 8192, "%s: %ld calls", specs[i], p.calls);
+      ck_assert_msg(p.done + 4 * 4096 > result.distinct, "%s: %zu of %zu", specs[i], p.done, result.distinct);
+      gmds_delaunay_result_clear(&result);
+      tri_mesh_clear(&m);
+      gmds_soup_clear(&soup);
+    }
 }
 END_TEST
 
@@ -200,5 +252,6 @@ END_TEST
 
 RUN_SUITE("threads", any_number_of_threads_gives_the_triangles_of_one,
           points_that_strips_do_not_divide_are_inserted_too, the_numbering_depends_on_the_number_of_threads_alone,
-          cancelling_at_any_call_leaves_the_mesh_empty, every_failing_allocation_leaves_the_mesh_empty,
+          points_that_are_put_off_do_not_make_the_walks_longer, cancelling_at_any_call_leaves_the_mesh_empty,
+          progress_is_told_to_the_end, every_failing_allocation_leaves_the_mesh_empty,
           faces_that_were_taken_can_be_given_back)

@@ -134,6 +134,7 @@ START_TEST(faces_that_cannot_be_added_leave_the_nodes_alone)
   } cases[] = {{2, {0, 3, 6}, 1, {0, 1, 2, 2, 3, 2}, GMDS_ERR_ARGUMENT},
                {2, {0, 3, 6}, 1, {0, 1, 2, 2, 3, 77}, GMDS_ERR_CELL},
                {2, {0, 3, 5}, 1, {0, 1, 2, 2, 3}, GMDS_ERR_ARGUMENT},
+               {2, {0, 3, 2}, 1, {0, 1, 2, 2, 3}, GMDS_ERR_ARGUMENT},
                {4, {0, 3, 6, 9, 12}, 2, {0, 1, 2, 1, 0, 3, 0, 1, 4, 5, 6, 7}, GMDS_ERR_CONFLICT},
                {2, {0, 4, 8}, 1, {0, 1, 2, 3, 3, 2, 1, 3}, GMDS_ERR_ARGUMENT}};
   for (size_t k = 0; k < n_models; k++)

@@ -36,6 +36,7 @@ run 2 delaunay --bogus x && says "no option '--bogus'"
 run 2 delaunay random:10:1 -o && says 'lacks its value'
 run 2 delaunay random:10:1 --dim 4
 run 2 delaunay random:10:1 --threads 0
+run 2 delaunay random:10:1 --threads 5000 && says '4096'
 run 2 models --dim 5
 run 2 sweep --expect 123
 run 2 sweep --jobs zero
@@ -142,6 +143,7 @@ run 2 bench cells --n 0
 run 2 bench cells --n ten
 run 2 bench nothing
 run 2 bench predicates --n 5
+run 2 bench predicates --model 'N|F|F2N'
 run 1 bench cells --n 5 --model 'N|F|F2N +N2F' && says 'borrows'
 
 # ---- borrowed relations: the result and the bytes of the model itself, the peak of the one that it borrows from
@@ -167,6 +169,9 @@ run 1 delaunay random:10:1 --model 'N|F|F2N +N2N' && says 'cannot borrow N2N'
 run 1 delaunay random:10:1 --model 'N|F|F2N +N2F +N2F' && says 'twice'
 run 1 delaunay random:10:1 --model 'N|F|F2N +N2F|F2F' && says 'not one relation'
 run 1 delaunay random:10:1 --model 'N|F|F2N +F' && says 'not one relation'
+run 1 delaunay random:10:1 --model 'N|F|F2N +F2F N2F'
+run 1 sweep --points random:100:1 --models "N|F|F2N$(printf '%300s' '')XYZ" && says 'longer than any'
+run 0 delaunay random:10:1 --model 'F|N|F2N+F2F' --json && prints '"model":"N|F|F2N +F2F"'
 run 1 delaunay random:10:1 --model 'N|F|F2N +'
 run 1 delaunay random:10:1 --model 'N|F +F2N' && says '2->0'
 
