@@ -12,11 +12,12 @@ if [ -f "$peers/Makefile" ]; then
   make -s -C "$peers" OUT="$PWD/out/peers" "$PWD/out/peers/cgal_delaunay"
   options=(--peers out/peers)
 fi
-specs=(random:1000:1 random:10000:1 random:100000:1 random:1000000:1 grid:1000 clusters:1000000:1 circle:200000)
+specs=(random:1000:1 random:10000:1 random:100000:1 clusters:1000000:1 circle:200000)
 for name in pdal_autzen_trim_lidar.xyz.xz gmt_ship_15.xyz.xz geonames_cities1000_lonlat.xy.xz cgal_norway_coast_endpoints.xy.xz; do
   [ -f "$points/$name" ] && specs+=("$points/$name")
 done
-bench/delaunay.py "${options[@]}" "${specs[@]}" >out/delaunay.json
+bench/delaunay.py --runs 15 "${options[@]}" random:1000000:1 grid:1000 >out/delaunay.json
+bench/delaunay.py "${options[@]}" "${specs[@]}" >>out/delaunay.json
 bench/delaunay.py --runs 5 random:1000000:1 random:10000000:1 >out/ten-million.json
 bench/tables.py <out/delaunay.json >out/delaunay.md
 bench/tables.py <out/ten-million.json >out/ten-million.md
