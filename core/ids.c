@@ -38,7 +38,11 @@ static int by_id(const void *a, const void *b)
 static void sort_ids(gmds_id *data, size_t n)
 {
   if (n > 48) {
-    qsort(data, n, sizeof *data, by_id);
+    size_t k = 1;
+    while (k < n && data[k - 1] <= data[k]) /* as a traversal meets them */
+      k++;
+    if (k < n)
+      qsort(data, n, sizeof *data, by_id);
     return;
   }
   for (size_t i = 1; i < n; i++) {
