@@ -17,7 +17,7 @@ for name in pdal_autzen_trim_lidar.xyz.xz gmt_ship_15.xyz.xz geonames_cities1000
   [ -f "$points/$name" ] && specs+=("$points/$name")
 done
 bench/delaunay.py --runs 15 "${options[@]}" random:1000000:1 grid:1000 >out/delaunay.json
-bench/delaunay.py "${options[@]}" "${specs[@]}" >>out/delaunay.json
+bench/delaunay.py --runs 9 "${options[@]}" "${specs[@]}" >>out/delaunay.json
 bench/delaunay.py --runs 5 random:1000000:1 random:10000000:1 >out/ten-million.json
 bench/tables.py <out/delaunay.json >out/delaunay.md
 bench/tables.py <out/ten-million.json >out/ten-million.md
