@@ -22,8 +22,8 @@ typedef struct concurrent {
   double cut[GMDS_MAX_THREADS]; /* strip t is from cut[t - 1] to below cut[t] */
   int axis;
   size_t n;                           /* points still to be inserted */
-  gmds_id *todo, *dealt;              /* these points, and the same by strips */
-  size_t (*count)[GMDS_MAX_THREADS];  /* [t][s]: how many of part t of todo are in strip s, then where they go */
+  gmds_id *waiting, *dealt;           /* these points, and the same by strips */
+  size_t (*count)[GMDS_MAX_THREADS];  /* [t][s]: how many of part t of waiting are in strip s, then where they go */
   size_t begin[GMDS_MAX_THREADS + 1]; /* where the points of each strip begin in `dealt` */
   size_t kept[GMDS_MAX_THREADS];      /* how many of them were put off */
   int starts[GMDS_MAX_THREADS];       /* whether the thread has a face to begin from */
@@ -49,7 +49,7 @@ static inline void count_part(void *work, unsigned t)
   concurrent *c = work;
   size_t end = GMDS_SHARE(c->n, t + 1, c->threads);
   for (size_t i = GMDS_SHARE(c->n, t, c->threads); i < end; i++)
-    c->count[t][strip_of(c, c->todo[i])]++;
+    c->count[t][strip_of(c, c->waiting[i])]++;
 }
 
 static inline void deal_part(void *work, unsigned t)
@@ -57,7 +57,7 @@ static inline void deal_part(void *work, unsigned t)
   concurrent *c = work;
   size_t end = GMDS_SHARE(c->n, t + 1, c->threads);
   for (size_t i = GMDS_SHARE(c->n, t, c->threads); i < end; i++)
-    c->dealt[c->count[t][strip_of(c, c->todo[i])]++] = c->todo[i];
+    c->dealt[c->count[t][strip_of(c, c->waiting[i])]++] = c->waiting[i];
 }
 
 /* Shell's sort: for a sample that is enough. */
@@ -80,7 +80,7 @@ static inline void cut_strips(concurrent *c, int axis)
   size_t n = c->n < GMDS__SAMPLE ? c->n : GMDS__SAMPLE;
   c->axis = axis;
   for (size_t i = 0; i < n; i++)
-    sample[i] = point(c->in->m, c->todo[c->n / n * i + c->n % n * i / n])[axis];
+    sample[i] = point(c->in->m, c->waiting[c->n / n * i + c->n % n * i / n])[axis];
   sort_sample(n, sample);
   for (unsigned t = 0; t < c->threads; t++) {
     c->cut[t] = t + 1 < c->threads ? sample[n * (t + 1) / c->threads] : HUGE_VAL;
@@ -139,7 +139,7 @@ static inline void insert_strip(void *work, unsigned t)
   enum { EVERY = 4096 };
   concurrent *c = work;
   insertion *in = &c->in[t];
-  gmds_id *todo = c->dealt + c->begin[t];
+  gmds_id *waiting = c->dealt + c->begin[t];
   size_t n = c->starts[t] ? c->begin[t + 1] - c->begin[t] : 0, kept = 0, told = 0;
   for (size_t i = 0; i < n; i++) {
     if (i % EVERY == 0) {
@@ -149,14 +149,14 @@ static inline void insert_strip(void *work, unsigned t)
         return;
     }
     in->deferred = 0;
-    gmds_status status = insert_point(in, todo[i], GMDS__SHARED);
+    gmds_status status = insert_point(in, waiting[i], GMDS__SHARED);
     if (status != GMDS_OK) {
       c->status[t] = status;
       c->stopped = 1;
       return;
     }
     if (in->deferred)
-      todo[kept++] = todo[i];
+      waiting[kept++] = waiting[i];
   }
   if (c->starts[t]) {
     c->kept[t] = kept;
@@ -189,7 +189,7 @@ static inline size_t set_up_threads(concurrent *c, face_range *ranges, face_rang
   return r;
 }
 
-/* One round of all threads over the points todo[0 .. n). Those put off are todo[0 .. n) then, and the faces that were not
+/* One round of all threads over the points waiting[0 .. n). Those put off are waiting[0 .. n) then, and the faces that were not
  * used are the ranges, which an empty one ends. */
 static inline gmds_status insert_strips(concurrent *c, int axis, face_range *ranges)
 {
@@ -199,7 +199,7 @@ static inline gmds_status insert_strips(concurrent *c, int axis, face_range *ran
   gmds_share(c->threads, insert_strip, c);
   for (unsigned t = 0; t < c->threads; t++) {
     GMDS_TRY(c->status[t]);
-    memmove(c->todo + n, c->dealt + c->begin[t], c->kept[t] * sizeof *c->todo);
+    memmove(c->waiting + n, c->dealt + c->begin[t], c->kept[t] * sizeof *c->waiting);
     n += c->kept[t];
     const insertion *in = &c->in[t];
     if (in->fresh.first < in->fresh.end)
@@ -228,7 +228,7 @@ static inline gmds_status insert_stage(concurrent *c, gmds_id first, gmds_id end
   c->n = 0;
   for (gmds_id v = first; v < end; v++)
     if (v != third)
-      c->todo[c->n++] = v;
+      c->waiting[c->n++] = v;
   for (int axis = 0; axis < 2 && c->n > 0; axis++)
     GMDS_TRY(insert_strips(c, axis, ranges));
   in->fresh = (face_range){0, 0};
@@ -242,7 +242,7 @@ static inline gmds_status insert_stage(concurrent *c, gmds_id first, gmds_id end
       if (c->stopped)
         return GMDS_ERR_CANCELLED;
     }
-    GMDS_TRY(insert_alone(in, c->todo[i]));
+    GMDS_TRY(insert_alone(in, c->waiting[i]));
   }
   c->done += c->n ? c->n - (c->n - 1) / EVERY * EVERY : 0;
   c->threads = threads;
@@ -261,12 +261,13 @@ static inline gmds_status insert_by_threads(unsigned threads, insertion *in, gmd
   gmds_memory *memory = mesh_memory(m);
   const gmds_id end = in->ghost;
   size_t room = end - first;
-  void *todo = NULL, *dealt = NULL, *count = NULL;
+  void *waiting = NULL, *dealt = NULL, *count = NULL;
   concurrent c = {.threads = threads, .in = in, .options = options, .done = first};
   gmds_status status = GMDS_ERR_MEMORY;
-  if (gmds_resize(memory, &todo, 0, room, sizeof *c.todo) && gmds_resize(memory, &dealt, 0, room, sizeof *c.dealt) &&
+  if (gmds_resize(memory, &waiting, 0, room, sizeof *c.waiting) &&
+      gmds_resize(memory, &dealt, 0, room, sizeof *c.dealt) &&
       gmds_resize(memory, &count, 0, threads, sizeof *c.count)) {
-    c.todo = todo;
+    c.waiting = waiting;
     c.dealt = dealt;
     c.count = count;
     status = GMDS_OK;
@@ -280,7 +281,7 @@ static inline gmds_status insert_by_threads(unsigned threads, insertion *in, gmd
       status = insert_stage(&c, first, next, third);
     }
   }
-  gmds_release(memory, todo, todo ? room : 0, sizeof *c.todo);
+  gmds_release(memory, waiting, waiting ? room : 0, sizeof *c.waiting);
   gmds_release(memory, dealt, dealt ? room : 0, sizeof *c.dealt);
   gmds_release(memory, count, count ? threads : 0, sizeof *c.count);
   return status;
