@@ -24,6 +24,11 @@
 #undef TRIANGLE
 #undef QUADRILATERAL
 #undef POLYGON
+#undef TETRAHEDRON
+#undef PYRAMID
+#undef PRISM
+#undef HEXAHEDRON
+#undef POLYHEDRON
 #pragma pop_macro("N")
 #pragma pop_macro("E")
 #pragma pop_macro("F")
@@ -49,3 +54,8 @@
 #pragma pop_macro("TRIANGLE")
 #pragma pop_macro("QUADRILATERAL")
 #pragma pop_macro("POLYGON")
+#pragma pop_macro("TETRAHEDRON")
+#pragma pop_macro("PYRAMID")
+#pragma pop_macro("PRISM")
+#pragma pop_macro("HEXAHEDRON")
+#pragma pop_macro("POLYHEDRON")

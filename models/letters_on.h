@@ -1,4 +1,4 @@
-/* Gives the letters of a mask their meaning while <gmds/mesh.h> reads GMDS_MODEL and GMDS_FACES. What a user may have
+/* Gives the letters of a mask their meaning while <gmds/mesh.h> reads GMDS_MODEL, GMDS_FACES and GMDS_REGIONS. What a user may have
  * called N or F is put aside and comes back with letters_off.h. */
 #pragma push_macro("N")
 #pragma push_macro("E")
@@ -25,6 +25,11 @@
 #pragma push_macro("TRIANGLE")
 #pragma push_macro("QUADRILATERAL")
 #pragma push_macro("POLYGON")
+#pragma push_macro("TETRAHEDRON")
+#pragma push_macro("PYRAMID")
+#pragma push_macro("PRISM")
+#pragma push_macro("HEXAHEDRON")
+#pragma push_macro("POLYHEDRON")
 #undef N
 #undef E
 #undef F
@@ -50,6 +55,11 @@
 #undef TRIANGLE
 #undef QUADRILATERAL
 #undef POLYGON
+#undef TETRAHEDRON
+#undef PYRAMID
+#undef PRISM
+#undef HEXAHEDRON
+#undef POLYHEDRON
 #define N GMDS_N
 #define E GMDS_E
 #define F GMDS_F
@@ -75,3 +85,8 @@
 #define TRIANGLE 1
 #define QUADRILATERAL 2
 #define POLYGON 4
+#define TETRAHEDRON 1
+#define PYRAMID 2
+#define PRISM 4
+#define HEXAHEDRON 8
+#define POLYHEDRON 16

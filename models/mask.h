@@ -1,7 +1,9 @@
-/* Reads GMDS_MODEL and GMDS_FACES into macros that mean the same after the letters are gone:
+/* Reads GMDS_MODEL, GMDS_FACES and GMDS_REGIONS into macros that mean the same after the letters are gone:
  *   GMDS__K_i       1 when i-cells are kept            GMDS__S_i_j   1 when i2j is stored
  *   GMDS__MASK      the mask as one integer            GMDS__DIM     coordinates a node
  *   GMDS__SIMPLICIAL  1 when all faces are triangles   GMDS__SIDES   sides of a face, 0 where faces differ
+ *                     (and all regions tetrahedra)     GMDS__CORNERS, GMDS__RIMS, GMDS__WALLS  nodes, edges, faces of a
+ *                                                                    region, 0 where regions differ
  * and refuses masks that contradict themselves. */
 #include <gmds/models/letters_on.h>
 
@@ -117,10 +119,80 @@ enum { GMDS_FN(model) = (GMDS_MODEL) };
 #if (GMDS_MODEL) & DIM2 && (GMDS_MODEL)&DIM3
 #  error "gmds: GMDS_MODEL has both DIM2 and DIM3: a node has two coordinates or three"
 #  define GMDS__DIM 2
-#elif (GMDS_MODEL) & DIM3
+#elif (GMDS_MODEL) & (DIM3 | R) && !((GMDS_MODEL)&DIM2)
 #  define GMDS__DIM 3
 #else
 #  define GMDS__DIM 2
+#endif
+
+#if GMDS__K_3
+#  ifndef GMDS_REGIONS
+#    define GMDS_REGIONS (TETRAHEDRON | PYRAMID | PRISM | HEXAHEDRON)
+#  endif
+#  if (GMDS_REGIONS) <= 0 || (GMDS_REGIONS) > 31
+#    error "gmds: GMDS_REGIONS must be TETRAHEDRON, PYRAMID, PRISM, HEXAHEDRON, POLYHEDRON, or several with | between them"
+#    undef GMDS_REGIONS
+#    define GMDS_REGIONS TETRAHEDRON /* so that nothing more is said */
+#  endif
+enum { GMDS_FN(regions) = (GMDS_REGIONS) };
+#  if (GMDS_REGIONS) == TETRAHEDRON
+#    define GMDS__TETRAHEDRA 1
+#    define GMDS__CORNERS 4
+#    define GMDS__RIMS 6
+#    define GMDS__WALLS 4
+#  elif (GMDS_REGIONS) == PYRAMID
+#    define GMDS__CORNERS 5
+#    define GMDS__RIMS 8
+#    define GMDS__WALLS 5
+#  elif (GMDS_REGIONS) == PRISM
+#    define GMDS__CORNERS 6
+#    define GMDS__RIMS 9
+#    define GMDS__WALLS 5
+#  elif (GMDS_REGIONS) == HEXAHEDRON
+#    define GMDS__CORNERS 8
+#    define GMDS__RIMS 12
+#    define GMDS__WALLS 6
+#  endif
+#  ifndef GMDS__CORNERS
+#    define GMDS__CORNERS 0
+#    define GMDS__RIMS 0
+#    define GMDS__WALLS 0
+#  endif
+#  ifndef GMDS__TETRAHEDRA
+#    define GMDS__TETRAHEDRA 0
+#  endif
+#  if (GMDS_REGIONS) & TETRAHEDRON
+#    define GMDS__HAS_TETRAHEDRA 1
+#  else
+#    define GMDS__HAS_TETRAHEDRA 0
+#  endif
+#  if (GMDS_REGIONS) & POLYHEDRON
+#    define GMDS__POLYHEDRA 1
+#  else
+#    define GMDS__POLYHEDRA 0
+#  endif
+#  ifndef GMDS_FACES
+#    if GMDS__TETRAHEDRA
+#      define GMDS_FACES TRIANGLE
+#    elif GMDS__CORNERS == 8
+#      define GMDS_FACES QUADRILATERAL
+#    elif GMDS__POLYHEDRA
+#      define GMDS_FACES (TRIANGLE | QUADRILATERAL | POLYGON)
+#    else
+#      define GMDS_FACES (TRIANGLE | QUADRILATERAL)
+#    endif
+#  endif
+#  if GMDS__K_2 && (((GMDS_REGIONS) != HEXAHEDRON && (GMDS_REGIONS) != POLYHEDRON && !((GMDS_FACES)&TRIANGLE)) || \
+                    ((GMDS_REGIONS)&14 && !((GMDS_FACES)&QUADRILATERAL)))
+#    error "gmds: GMDS_FACES leaves out a type of face that the regions of the model have"
+#  endif
+#else
+#  define GMDS__TETRAHEDRA 0
+#  define GMDS__HAS_TETRAHEDRA 0
+#  define GMDS__CORNERS 0
+#  define GMDS__RIMS 0
+#  define GMDS__WALLS 0
+#  define GMDS__POLYHEDRA 0
 #endif
 
 #ifndef GMDS_FACES
@@ -128,7 +200,7 @@ enum { GMDS_FN(model) = (GMDS_MODEL) };
 #endif
 #if (GMDS_FACES) == TRIANGLE
 #  define GMDS__SIDES 3
-#  define GMDS__SIMPLICIAL 1
+#  define GMDS__SIMPLICIAL (!GMDS__K_3 || GMDS__TETRAHEDRA)
 #elif (GMDS_FACES) == QUADRILATERAL
 #  define GMDS__SIDES 4
 #  define GMDS__SIMPLICIAL 0
@@ -164,15 +236,26 @@ enum { GMDS_FN(faces) = (GMDS_FACES) };
 #endif
 #include <gmds/models/letters_off.h>
 
-#if !GMDS__K_0 || !GMDS__K_2
-#  error "gmds: a model keeps nodes and faces: add N|F to GMDS_MODEL"
+#if !GMDS__K_0 || !(GMDS__K_2 || GMDS__K_3)
+#  error "gmds: a model keeps nodes and faces, or nodes and regions: add N|F or N|R to GMDS_MODEL"
 #endif
 #if !GMDS__K_1 && \
     (GMDS__S_0_1 || GMDS__S_1_0 || GMDS__S_1_1 || GMDS__S_1_2 || GMDS__S_1_3 || GMDS__S_2_1 || GMDS__S_3_1)
 #  error "gmds: GMDS_MODEL stores a relation of edges but keeps none: add E"
 #endif
-#if GMDS__K_3 || GMDS__S_0_3 || GMDS__S_1_3 || GMDS__S_2_3 || GMDS__S_3_0 || GMDS__S_3_1 || GMDS__S_3_2 || GMDS__S_3_3
-#  error "gmds: models of this version end at faces: take R and its relations out of GMDS_MODEL"
+#if !GMDS__K_2 && \
+    (GMDS__S_0_2 || GMDS__S_1_2 || GMDS__S_2_0 || GMDS__S_2_1 || GMDS__S_2_2 || GMDS__S_2_3 || GMDS__S_3_2)
+#  error "gmds: GMDS_MODEL stores a relation of faces but keeps none: add F"
+#endif
+#if !GMDS__K_3 && \
+    (GMDS__S_0_3 || GMDS__S_1_3 || GMDS__S_2_3 || GMDS__S_3_0 || GMDS__S_3_1 || GMDS__S_3_2 || GMDS__S_3_3)
+#  error "gmds: GMDS_MODEL stores a relation of regions but keeps none: add R"
+#endif
+#if GMDS__K_3 && GMDS__DIM == 2
+#  error "gmds: a model of volumes has nodes of three coordinates: take DIM2 out of GMDS_MODEL"
+#endif
+#if GMDS__POLYHEDRA && !(GMDS__S_3_2 && GMDS__S_2_0)
+#  error "gmds: a polyhedron is known by its faces and their nodes: add R2F|F2N to GMDS_MODEL"
 #endif
 
 #if GMDS__S_1_1 && !GMDS__S_0_1 && !GMDS__S_1_0
@@ -196,5 +279,10 @@ enum { GMDS_FN(faces) = (GMDS_FACES) };
 #else
 #  define GMDS__INLINE 0
 #endif
-/* F2F of inline faces that keep their nodes also remembers the side one arrives by: 4 * face + side. */
-#define GMDS__CODED (GMDS__INLINE && GMDS__S_2_0 && GMDS__S_2_2)
+/* F2F of inline faces that keep their nodes also remembers the side one arrives by: 4 * face + side. R2R of tetrahedra
+ * that keep theirs likewise: 4 * region + face. Where there are regions, F2F is a set: an edge has any number of faces. */
+#if GMDS__K_3
+#  define GMDS__CODED (GMDS__TETRAHEDRA && GMDS__S_3_0 && GMDS__S_3_3)
+#else
+#  define GMDS__CODED (GMDS__INLINE && GMDS__S_2_0 && GMDS__S_2_2)
+#endif

@@ -1,4 +1,4 @@
-/* Takes back what mask.h defined. */
+/* Takes back what mask.h and stored.h defined. */
 #undef GMDS__K_0
 #undef GMDS__K_1
 #undef GMDS__K_2
@@ -26,5 +26,27 @@
 #undef GMDS__TRIANGLES
 #undef GMDS__QUADRILATERALS
 #undef GMDS__POLYGONS
+#undef GMDS__TETRAHEDRA
+#undef GMDS__HAS_TETRAHEDRA
+#undef GMDS__CORNERS
+#undef GMDS__RIMS
+#undef GMDS__WALLS
+#undef GMDS__POLYHEDRA
 #undef GMDS__INLINE
 #undef GMDS__CODED
+#undef GMDS__IF_0_0
+#undef GMDS__IF_0_1
+#undef GMDS__IF_0_2
+#undef GMDS__IF_0_3
+#undef GMDS__IF_1_0
+#undef GMDS__IF_1_1
+#undef GMDS__IF_1_2
+#undef GMDS__IF_1_3
+#undef GMDS__IF_2_0
+#undef GMDS__IF_2_1
+#undef GMDS__IF_2_2
+#undef GMDS__IF_2_3
+#undef GMDS__IF_3_0
+#undef GMDS__IF_3_1
+#undef GMDS__IF_3_2
+#undef GMDS__IF_3_3

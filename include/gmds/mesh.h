@@ -3,12 +3,15 @@
  *     #define GMDS_PREFIX tri                what the names begin with: tri_mesh, tri_get_adj_2_0(), ...
  *     #define GMDS_MODEL  (N|F|F2N|F2F)      cells kept and relations stored (relations.h)
  *     #define GMDS_FACES  TRIANGLE           optional: the only types of faces (TRIANGLE, QUADRILATERAL, POLYGON, with |)
+ *     #define GMDS_REGIONS TETRAHEDRON       optional, where R is kept: the only types of regions (TETRAHEDRON, PYRAMID,
+ *                                            PRISM, HEXAHEDRON: the four are the default; POLYHEDRON)
  *     #include <gmds/mesh.h>
  *     #include <gmds/algorithms/delaunay.h>  algorithms written once over any model
  *     #include <gmds/end.h>                  closes the model: nothing leaks
  *
  * The path of every query is chosen here, by the preprocessor, from the composition tables (models/tables.h). The
- * functions are declared in models/incidence/interface.h, which is the place to read what a mesh can do. */
+ * functions are declared in models/incidence/interface.h, where regions are kept in models/volume/interface.h, which are
+ * the places to read what a mesh can do. */
 #if defined GMDS__OPEN
 #  error "gmds: a model is still open; include <gmds/end.h> before the next <gmds/mesh.h>"
 #elif defined __cplusplus
@@ -35,6 +38,7 @@
 #  include <gmds/parts.h>
 #  include <gmds/relations.h>
 #  include <gmds/rows.h>
+#  include <gmds/shapes.h>
 #  include <gmds/soup.h>
 #  include <gmds/template.h>
 #  include <gmds/topology.h>
@@ -49,23 +53,42 @@
 
 #  include <gmds/models/mask.h>
 #  include <gmds/models/paths.h>
+#  include <gmds/models/stored.h>
 
-#  include <gmds/models/incidence/names.h>
-#  include <gmds/models/incidence/interface.h>
-#  include <gmds/models/incidence/structure.h>
-#  include <gmds/models/incidence/query.h>
-#  include <gmds/models/incidence/view.h>
-#  include <gmds/models/incidence/side.h>
-#  include <gmds/models/incidence/find.h>
-#  include <gmds/models/incidence/add.h>
-#  include <gmds/models/incidence/remove.h>
-#  include <gmds/models/incidence/star.h>
-#  include <gmds/models/incidence/convert.h>
-#  include <gmds/models/incidence/bulk.h>
-#  include <gmds/models/incidence/faces.h>
-#  include <gmds/models/incidence/reading.h>
-#  include <gmds/models/incidence/compact.h>
-#  include <gmds/models/incidence/check.h>
-#  include <gmds/models/incidence/exchange.h>
+#  if GMDS__K_3
+#    include <gmds/models/volume/names.h>
+#    include <gmds/models/volume/interface.h>
+#    include <gmds/models/volume/structure.h>
+#    include <gmds/models/volume/query.h>
+#    include <gmds/models/volume/bulk.h>
+#    include <gmds/models/volume/queries.h>
+#    include <gmds/models/volume/find.h>
+#    include <gmds/models/volume/add.h>
+#    include <gmds/models/volume/remove.h>
+#    include <gmds/models/volume/shape.h>
+#    include <gmds/models/volume/star.h>
+#    include <gmds/models/volume/compact.h>
+#    include <gmds/models/volume/exchange.h>
+#    include <gmds/models/volume/convert.h>
+#    include <gmds/models/volume/check.h>
+#  else
+#    include <gmds/models/incidence/names.h>
+#    include <gmds/models/incidence/interface.h>
+#    include <gmds/models/incidence/structure.h>
+#    include <gmds/models/incidence/query.h>
+#    include <gmds/models/incidence/view.h>
+#    include <gmds/models/incidence/side.h>
+#    include <gmds/models/incidence/find.h>
+#    include <gmds/models/incidence/add.h>
+#    include <gmds/models/incidence/remove.h>
+#    include <gmds/models/incidence/star.h>
+#    include <gmds/models/incidence/convert.h>
+#    include <gmds/models/incidence/bulk.h>
+#    include <gmds/models/incidence/faces.h>
+#    include <gmds/models/incidence/reading.h>
+#    include <gmds/models/incidence/compact.h>
+#    include <gmds/models/incidence/check.h>
+#    include <gmds/models/incidence/exchange.h>
+#  endif
 
 #endif /* neither open nor C++ */

@@ -29,4 +29,7 @@
 /* Which faces a model may hold: a model of one type stores its relations inline. X(name, bit) */
 #define GMDS_FACE_TYPE_LIST(X) X(TRIANGLE, 1) X(QUADRILATERAL, 2) X(POLYGON, 4)
 
+/* Which regions a model may hold, likewise. */
+#define GMDS_REGION_TYPE_LIST(X) X(TETRAHEDRON, 1) X(PYRAMID, 2) X(PRISM, 4) X(HEXAHEDRON, 8) X(POLYHEDRON, 16)
+
 #endif

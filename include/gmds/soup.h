@@ -19,7 +19,8 @@ extern "C" {
   X(GMDS_TETRAHEDRON, 3, 4, "tetrahedron")     \
   X(GMDS_PYRAMID, 3, 5, "pyramid")             \
   X(GMDS_PRISM, 3, 6, "prism")                 \
-  X(GMDS_HEXAHEDRON, 3, 8, "hexahedron")
+  X(GMDS_HEXAHEDRON, 3, 8, "hexahedron")       \
+  X(GMDS_POLYHEDRON, 3, 0, "polyhedron")
 
 #define GMDS_CELL_TYPE_ENUM_(name, dim, points, text) name,
 typedef enum gmds_cell_type { GMDS_CELL_TYPE_LIST(GMDS_CELL_TYPE_ENUM_) GMDS_CELL_TYPE_COUNT } gmds_cell_type;

@@ -7,6 +7,10 @@
 /* What becomes of the edges that bound a face, when the face is removed. */
 typedef enum gmds_edges { GMDS_KEEP_EDGES, GMDS_DROP_BARE_EDGES } gmds_edges;
 
+/* What becomes of faces that bound no region, and of edges that bound no face and no region, when a cell of higher
+ * dimension is removed from a mesh of volumes. */
+typedef enum gmds_bare { GMDS_KEEP_BARE, GMDS_DROP_BARE } gmds_bare;
+
 /* What becomes of the cells around a cell that is to be removed: removal is refused, or they go first. */
 typedef enum gmds_around { GMDS_REFUSE, GMDS_CASCADE } gmds_around;
 

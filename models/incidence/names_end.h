@@ -122,15 +122,6 @@
 #undef fill_soup
 #undef to_soup
 #undef checksum
-#undef GMDS__IF_0_0
-#undef GMDS__IF_0_1
-#undef GMDS__IF_0_2
-#undef GMDS__IF_1_0
-#undef GMDS__IF_1_1
-#undef GMDS__IF_1_2
-#undef GMDS__IF_2_0
-#undef GMDS__IF_2_1
-#undef GMDS__IF_2_2
 #undef GMDS__MOVES_FACES
 #undef GMDS__MOVES_EDGES
 #undef GMDS__EACH_SET

@@ -3,51 +3,6 @@
 /* Lists of the stored relations, by the way they are stored:
  *   set       rows of a pool, in no order      ordered   rows of a pool, an entry a side
  *   pairs     two inline as a rule (E2F)       inline    columns of fixed arity */
-#if GMDS__S_0_0
-#  define GMDS__IF_0_0(x) x
-#else
-#  define GMDS__IF_0_0(x)
-#endif
-#if GMDS__S_0_1
-#  define GMDS__IF_0_1(x) x
-#else
-#  define GMDS__IF_0_1(x)
-#endif
-#if GMDS__S_0_2
-#  define GMDS__IF_0_2(x) x
-#else
-#  define GMDS__IF_0_2(x)
-#endif
-#if GMDS__S_1_0
-#  define GMDS__IF_1_0(x) x
-#else
-#  define GMDS__IF_1_0(x)
-#endif
-#if GMDS__S_1_1
-#  define GMDS__IF_1_1(x) x
-#else
-#  define GMDS__IF_1_1(x)
-#endif
-#if GMDS__S_1_2
-#  define GMDS__IF_1_2(x) x
-#else
-#  define GMDS__IF_1_2(x)
-#endif
-#if GMDS__S_2_0
-#  define GMDS__IF_2_0(x) x
-#else
-#  define GMDS__IF_2_0(x)
-#endif
-#if GMDS__S_2_1
-#  define GMDS__IF_2_1(x) x
-#else
-#  define GMDS__IF_2_1(x)
-#endif
-#if GMDS__S_2_2
-#  define GMDS__IF_2_2(x) x
-#else
-#  define GMDS__IF_2_2(x)
-#endif
 #define GMDS__EACH_SET(X) GMDS__IF_0_0(X(0, 0)) GMDS__IF_0_1(X(0, 1)) GMDS__IF_0_2(X(0, 2)) GMDS__IF_1_1(X(1, 1))
 #define GMDS__EACH_PAIRS(X) GMDS__IF_1_2(X(1, 2))
 #define GMDS__EACH_OF_FACES(X) GMDS__IF_2_0(X(2, 0)) GMDS__IF_2_1(X(2, 1)) GMDS__IF_2_2(X(2, 2))

@@ -1,0 +1,93 @@
+/* Local numbering of regions, and finding it again from their faces. */
+#include <gmds/shapes.h>
+
+/* The rows are a table. */
+/* clang-format off */
+static const gmds_shape shapes[] = {
+  {4, 6, 4, {{0,1}, {1,2}, {2,0}, {0,3}, {1,3}, {2,3}},
+   {3, 3, 3, 3},
+   {{0,1,3}, {1,2,3}, {2,0,3}, {0,2,1}},
+   {{0,4,3}, {1,5,4}, {2,3,5}, {2,1,0}}},
+  {5, 8, 5, {{0,1}, {1,2}, {2,3}, {3,0}, {0,4}, {1,4}, {2,4}, {3,4}},
+   {4, 3, 3, 3, 3},
+   {{0,3,2,1}, {0,1,4}, {1,2,4}, {2,3,4}, {3,0,4}},
+   {{3,2,1,0}, {0,5,4}, {1,6,5}, {2,7,6}, {3,4,7}}},
+  {6, 9, 5, {{0,1}, {1,2}, {2,0}, {3,4}, {4,5}, {5,3}, {0,3}, {1,4}, {2,5}},
+   {3, 3, 4, 4, 4},
+   {{0,2,1}, {3,4,5}, {0,1,4,3}, {1,2,5,4}, {2,0,3,5}},
+   {{2,1,0}, {3,4,5}, {0,7,3,6}, {1,8,4,7}, {2,6,5,8}}},
+  {8, 12, 6, {{0,1}, {1,2}, {3,2}, {0,3}, {4,5}, {5,6}, {7,6}, {4,7}, {0,4}, {1,5}, {3,7}, {2,6}},
+   {4, 4, 4, 4, 4, 4},
+   {{0,4,7,3}, {1,2,6,5}, {0,1,5,4}, {3,7,6,2}, {0,3,2,1}, {4,5,6,7}},
+   {{8,7,10,3}, {1,11,5,9}, {0,9,4,8}, {10,6,11,2}, {3,2,1,0}, {4,5,6,7}}},
+};
+static const uint8_t base_of[] = {3, 0, 0, 4}; /* the face 0 2 1 or 0 3 2 1 */
+/* clang-format on */
+
+const gmds_shape *gmds_shape_of(gmds_cell_type type)
+{
+  return type >= GMDS_TETRAHEDRON && type <= GMDS_HEXAHEDRON ? &shapes[type - GMDS_TETRAHEDRON] : NULL;
+}
+
+static int has(const gmds_id *list, size_t n, gmds_id x)
+{
+  for (size_t k = 0; k < n; k++)
+    if (list[k] == x)
+      return 1;
+  return 0;
+}
+
+/* The node beside v around one of the faces that is none of the n nodes of the base, or GMDS_NONE. */
+static gmds_id above(const gmds_shape *s, const size_t *faces, const gmds_id *corners, const gmds_id *base, size_t n,
+                     gmds_id v)
+{
+  for (size_t k = 0; k < s->faces; k++) {
+    const gmds_id *row = corners + faces[k];
+    size_t sides = faces[k + 1] - faces[k];
+    for (size_t i = 0; i < sides; i++)
+      for (size_t by = 1; by < sides && row[i] == v; by += sides - 2) {
+        gmds_id beside = row[(i + by) % sides];
+        if (!has(base, n, beside))
+          return beside;
+      }
+  }
+  return GMDS_NONE;
+}
+
+/* Whether one of the faces has the nodes of local face k. */
+static int is_there(const gmds_shape *s, size_t k, const size_t *faces, const gmds_id *corners, const gmds_id *nodes)
+{
+  for (size_t f = 0; f < s->faces; f++) {
+    size_t n = faces[f + 1] - faces[f], common = 0;
+    for (size_t i = 0; i < s->sides[k]; i++)
+      common += (size_t)has(corners + faces[f], n, nodes[s->face[k][i]]);
+    if (n == s->sides[k] && common == n)
+      return 1;
+  }
+  return 0;
+}
+
+gmds_status gmds_shape_from_faces(gmds_cell_type type, const size_t *faces, const gmds_id *corners, gmds_id *nodes)
+{
+  const gmds_shape *s = gmds_shape_of(type);
+  if (!s)
+    return GMDS_ERR_INVARIANT;
+  const uint8_t base = base_of[type - GMDS_TETRAHEDRON];
+  const size_t n = s->sides[base];
+  gmds_id found[GMDS_SHAPE_NODES];
+  size_t first = 0;
+  while (first < s->faces && faces[first + 1] - faces[first] != n)
+    first++;
+  if (first == s->faces)
+    return GMDS_ERR_INVARIANT;
+  for (size_t i = 0; i < n; i++)
+    found[s->face[base][i]] = corners[faces[first] + i];
+  for (size_t i = n; i < s->nodes; i++)
+    found[i] = above(s, faces, corners, found, n, found[i - n]);
+  for (size_t k = 0; k < s->faces; k++)
+    if (!is_there(s, k, faces, corners, found))
+      return GMDS_ERR_INVARIANT;
+  for (size_t i = 0; i < s->nodes; i++)
+    nodes[i] = found[i];
+  return GMDS_OK;
+}

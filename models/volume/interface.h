@@ -1,0 +1,152 @@
+/* What a mesh of volumes can do: the functions of an opened model that keeps regions, each under the model's prefix
+ * (tet_mesh_init, ...). Conventions, life, attributes and what is said of a call that fails are those of models without
+ * regions (models/incidence/interface.h); this file says what differs, and repeats the declarations. Dimensions run from 0
+ * (nodes) to 3 (regions), arrays of maps have four entries. Local numbers of edges and faces: shapes.h. */
+
+typedef struct mesh mesh;
+
+/* Cells of regions and faces are made with them when something is stored about them; they are told by their nodes. */
+#define GMDS__MAKES_EDGES \
+  (GMDS__LINKED_0_1 || GMDS__LINKED_1_2 || GMDS__LINKED_1_3 || GMDS__S_1_1)
+#define GMDS__MAKES_FACES (GMDS__LINKED_0_2 || GMDS__LINKED_1_2 || GMDS__LINKED_2_3 || GMDS__S_2_2)
+#define GMDS__TELLS_EDGES (!GMDS__MAKES_EDGES || GMDS__LINKED_0_1)
+#define GMDS__TELLS_FACES (!GMDS__MAKES_FACES || GMDS__LINKED_0_2 || (GMDS__LINKED_1_2 && GMDS__LINKED_0_1))
+#define GMDS__TELLS_REGIONS \
+  (!GMDS__S_3_3 || GMDS__KNOWS_WALLS || GMDS__LINKED_2_3)
+#define GMDS__TELLS_SIDES (!GMDS__S_2_2 || GMDS__LINKED_1_2 || (GMDS__LINKED_0_2 && GMDS__KNOWS_SIDES))
+
+/* add_face and add_region find by themselves what they have to link. */
+#define GMDS_ADDS_FACES (GMDS__TELLS_EDGES && GMDS__TELLS_FACES && GMDS__TELLS_SIDES)
+#define GMDS_ADDS_REGIONS                                                                                           \
+  (GMDS_ADDS_FACES && GMDS__TELLS_REGIONS && (GMDS__LINKED_0_3 || GMDS__LINKED_1_3 || GMDS__LINKED_2_3) && \
+   GMDS__CAN_3_0)
+
+/* ---- life */
+static inline gmds_status mesh_init(mesh *m, const gmds_allocator *allocator);
+static inline void mesh_clear(mesh *m);
+static inline void empty(mesh *m);
+static inline gmds_status reserve(mesh *m, size_t nodes, size_t edges, size_t faces, size_t regions);
+static inline gmds_status trim(mesh *m);
+
+/* Closes the holes; maps[i] receives the new identifiers of the i-cells. Constant when there is no hole, O(holes) for
+ * regions of N|R|R2N|R2R of tetrahedra, else O(mesh). */
+static inline gmds_status compact(mesh *m, gmds_id *maps[4]);
+
+/* ---- cells: how many are alive; whether one is; the first from `id` on, or GMDS_NONE; one past the largest */
+static inline size_t count_0(const mesh *m);
+static inline size_t count_1(const mesh *m);
+static inline size_t count_2(const mesh *m);
+static inline size_t count_3(const mesh *m);
+static inline int has_0(const mesh *m, gmds_id v);
+static inline int has_1(const mesh *m, gmds_id e);
+static inline int has_2(const mesh *m, gmds_id f);
+static inline int has_3(const mesh *m, gmds_id r);
+static inline gmds_id next_0(const mesh *m, gmds_id v);
+static inline gmds_id next_1(const mesh *m, gmds_id e);
+static inline gmds_id next_2(const mesh *m, gmds_id f);
+static inline gmds_id next_3(const mesh *m, gmds_id r);
+static inline size_t end_0(const mesh *m);
+static inline size_t end_1(const mesh *m);
+static inline size_t end_2(const mesh *m);
+static inline size_t end_3(const mesh *m);
+static inline gmds_memory *mesh_memory(mesh *m);
+
+/* The three coordinates of a live node (not checked). */
+static inline const double *point(const mesh *m, gmds_id v);
+static inline void set_point(mesh *m, gmds_id v, const double *x);
+static inline double *coordinates(mesh *m);
+
+/* The type of a live region (not checked): GMDS_TETRAHEDRON to GMDS_POLYHEDRON. */
+static inline gmds_cell_type region_type(const mesh *m, gmds_id r);
+
+/* ---- attributes of the i-cells, i from 0 to 3 */
+static inline gmds_status add_attribute(mesh *m, int i, const char *name, gmds_value type, size_t components,
+                                        gmds_attribute **attribute);
+static inline gmds_attribute *find_attribute(const mesh *m, int i, const char *name);
+static inline void remove_attribute(mesh *m, int i, gmds_attribute *attribute);
+
+/* ---- queries: get_adj_i_j(m, c, out) puts the j-cells incident or adjacent to the i-cell c into a list: a set. 0 -> 0 is
+ * being joined by an edge, kept or not; 1 -> 1 sharing a node; 2 -> 2 a side; 3 -> 3 a face. 2 -> 0 comes in order around
+ * the face where GMDS_ORDERED_2_0, 3 -> 0 in the order of the type where GMDS_ORDERED_3_0; 3 -> 1 and 3 -> 2 in the local
+ * order where they are stored. GMDS_OK; GMDS_ERR_CELL; GMDS_ERR_MEMORY (the list's content is lost).
+ * all_adj_i_j(m, csr) does so for every i-cell at once: O(mesh). view_i_j(m, c, &n) shows a stored row where it lies.
+ * What the model cannot answer, cannot decide, or does not store does not compile, and says what to add. */
+#include <gmds/models/volume/declarations.h>
+
+/* ---- creation
+ *
+ * Edges and faces are told by the set of their nodes: one that is there is found, and not made again. Regions make what
+ * the model keeps of their edges and faces. Local where the model finds edges by N2E, faces by N2F or E2F, and regions (for
+ * R2R) by N2R or F2R; else a traversal for each. */
+static inline gmds_status add_node(mesh *m, const double *x, gmds_id *id);
+static inline gmds_status add_nodes(mesh *m, size_t n, const double *x, gmds_id *first);
+
+/* The edge between two nodes, found or made. In models that link edges and nodes. */
+#if GMDS__LINKED_0_1
+static inline gmds_status add_edge(mesh *m, gmds_id a, gmds_id b, gmds_id *id);
+#endif
+
+/* The face of n distinct nodes, listed around it, found or made. GMDS_OK; GMDS_ERR_ARGUMENT (n is not of the model's types,
+ * or a node occurs twice); GMDS_ERR_CELL (a node that does not exist); GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY. In models that
+ * link faces with nodes, or with edges that are linked with nodes (GMDS_ADDS_FACES). */
+#if GMDS_ADDS_FACES && GMDS__MAKES_FACES
+static inline gmds_status add_face(mesh *m, size_t n, const gmds_id *nodes, gmds_id *id);
+static inline gmds_status add_triangle(mesh *m, gmds_id a, gmds_id b, gmds_id c, gmds_id *id);
+static inline gmds_status add_quadrilateral(mesh *m, gmds_id a, gmds_id b, gmds_id c, gmds_id d, gmds_id *id);
+#endif
+
+/* A region of a type, its nodes in the order of shapes.h. GMDS_OK; GMDS_ERR_ARGUMENT (not a type of the model, or a node
+ * occurs twice); GMDS_ERR_CELL; GMDS_ERR_CONFLICT (R2R holds two regions a face, this would be the third);
+ * GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY. In models that can tell edges and faces, if they keep any, by their nodes
+ * (GMDS_ADDS_REGIONS). Orientation is not checked. */
+#if GMDS_ADDS_REGIONS
+static inline gmds_status add_region(mesh *m, gmds_cell_type type, const gmds_id *nodes, gmds_id *id);
+static inline gmds_status add_tetrahedron(mesh *m, gmds_id a, gmds_id b, gmds_id c, gmds_id d, gmds_id *id);
+
+/* The polyhedron that n faces bound. Also GMDS_ERR_ARGUMENT (fewer than four, one twice, or they do not close: an edge is
+ * not on two of them). O(squares of the sides). */
+#  if GMDS__POLYHEDRA
+static inline gmds_status add_polyhedron(mesh *m, size_t n, const gmds_id *faces, gmds_id *id);
+#  endif
+#endif
+
+/* ---- deletion
+ *
+ * bare: what becomes of the faces that bound no region and the edges that bound nothing afterwards, of those that the cell
+ * had (topology.h). around: whether cells of higher dimension refuse the removal (GMDS_ERR_CONFLICT) or go first; what
+ * these leave bare stays. GMDS_OK; GMDS_ERR_CELL; GMDS_ERR_CONFLICT; GMDS_ERR_UNSUPPORTED (the model cannot tell what the
+ * cell has, or what is bare); GMDS_ERR_MEMORY. */
+static inline gmds_status remove_region(mesh *m, gmds_id r, gmds_bare bare);
+
+/* All regions of a list that the caller owns, each named once, or none. */
+static inline gmds_status remove_regions(mesh *m, const gmds_ids *regions, gmds_bare bare);
+#if GMDS__K_2
+static inline gmds_status remove_face(mesh *m, gmds_id f, gmds_around around, gmds_bare bare);
+#endif
+#if GMDS__K_1
+static inline gmds_status remove_edge(mesh *m, gmds_id e, gmds_around around);
+#endif
+static inline gmds_status remove_node(mesh *m, gmds_id v, gmds_around around);
+
+/* ---- nodes and neighbours without a list
+
+ * How many sides a live face has (not checked). In models with GMDS_ORDERED_2_0. */
+#if GMDS_ORDERED_2_0
+static inline size_t face_sides(const mesh *m, gmds_id f);
+#endif
+
+/* The four nodes of a live tetrahedron in order (not checked). In models with GMDS_ORDERED_3_0 that hold tetrahedra. */
+#if GMDS__HAS_TETRAHEDRA && GMDS_ORDERED_3_0
+static inline void tetrahedron_nodes(const mesh *m, gmds_id r, gmds_id v[4]);
+#endif
+
+/* The region beyond face k of a live tetrahedron (not checked), or GMDS_NONE; *arrival is the number of the face there.
+ * In models with GMDS_ACROSS. Constant. */
+#if GMDS_ACROSS
+static inline gmds_id across(const mesh *m, gmds_id r, unsigned k, unsigned *arrival);
+#endif
+
+/* The checksum of the regions (checksum.h). GMDS_OK or GMDS_ERR_MEMORY. O(mesh). */
+#if GMDS__CAN_3_0
+static inline gmds_status checksum(const mesh *m, gmds_memory *memory, uint64_t *sum);
+#endif
