@@ -26,6 +26,7 @@ typedef struct row {
 #define LIST(i, j, PATHS) [4 * i + j] = (const row[]){PATHS(P1, P2, P3, P4) END},
 static const row *const rows_of[16] = {GMDS_PAIR_LIST(LIST)};
 static const row joined_by_edges[] = {GMDS_PATHS_0_0_BY_EDGES(P1, P2, P3, P4) END};
+static const row joined_by_faces[] = {GMDS_PATHS_0_0_BY_FACES(P1, P2, P3, P4) END};
 #undef LIST
 
 static int stored(unsigned mask, int a, int b)
@@ -74,11 +75,59 @@ static unsigned exact_types(unsigned mask, const row *r)
   return all;
 }
 
+static int linked(unsigned mask, int a, int b)
+{
+  return stored(mask, a, b) || stored(mask, b, a);
+}
+
+/* The same where regions are kept (GMDS__EXACT_i_j of paths.h): beyond tetrahedra, cells that keep their nodes in order
+ * decide, or what they keep of their edges and faces. A polyhedron keeps its faces (R2F) and these their nodes (F2N). */
+static unsigned exact_region_types(unsigned mask, int i, int j, const row *r)
+{
+  const unsigned all = 31, tetrahedra = 1;
+  const int sides = stored(mask, 2, 0),
+            walls = stored(mask, 3, 0) || (stored(mask, 3, 1) && stored(mask, 1, 0)) ||
+                    (stored(mask, 3, 2) && stored(mask, 2, 0)),
+            either = walls || (linked(mask, 2, 3) && sides);
+  int exact = 1;
+  switch (4 * i + j) {
+  case 0:
+    exact = r->id == 3 ? sides : r->id == 4 ? walls : 1;
+    break;
+  case 6: /* 1 -> 2 */
+  case 9: /* 2 -> 1 */
+    exact = r->id != 2 || sides;
+    break;
+  case 7: /* 1 -> 3 */
+    exact = r->id == 3 ? either : r->id == 4 ? sides : 1;
+    break;
+  case 10: /* 2 -> 2 */
+    exact = r->id != 3 || sides || linked(mask, 1, 2);
+    break;
+  case 11: /* 2 -> 3 */
+  case 14: /* 3 -> 2 */
+    exact = r->id < 2 || walls;
+    break;
+  case 13: /* 3 -> 1 */
+    exact = r->id == 3 ? either : r->id == 4 ? sides || walls : 1;
+    break;
+  case 15: /* 3 -> 3 */
+    exact = (r->id != 3 && r->id != 4 && r->id != 9) || walls || linked(mask, 2, 3);
+    break;
+  default:
+    break;
+  }
+  return exact ? all : tetrahedra;
+}
+
 /* The rows that a mask may take from i to j. */
 static const row *rows_for(unsigned mask, int i, int j)
 {
-  int linked = stored(mask, 0, 1) || stored(mask, 1, 0);
-  return i == 0 && j == 0 && linked ? joined_by_edges : rows_of[4 * i + j];
+  if (i == 0 && j == 0 && linked(mask, 0, 1))
+    return joined_by_edges;
+  if (i == 0 && j == 0 && linked(mask, 0, 2))
+    return joined_by_faces;
+  return rows_of[4 * i + j];
 }
 
 gmds_path gmds_path_of(unsigned mask, int i, int j)
@@ -103,6 +152,7 @@ gmds_path gmds_path_of(unsigned mask, int i, int j)
   memcpy(path.keep, best->keep, sizeof path.keep);
   path.inverse = (unsigned)best_inverse;
   path.exact = exact_types(mask, best);
+  path.exact_regions = exact_region_types(mask, i, j, best);
   if (!best_inverse)
     path.cost = best->hops == 1 ? GMDS_COST_DIRECT : GMDS_COST_LOCAL;
   else
@@ -171,6 +221,51 @@ unsigned gmds_census_mask(int dim, size_t k)
     if (in_census(dim, r) && (k >> position++ & 1))
       mask |= relation_bits[r] | relation_ends[r];
   return mask;
+}
+
+/* ---- the models that take every path */
+
+enum { CODES = 256 };
+
+static int new_paths(unsigned mask, unsigned char taken[16][CODES], int take)
+{
+  int n = 0;
+  for (int q = 0; q < 16; q++) {
+    int code = gmds_path_of(mask, q / 4, q % 4).code;
+    n += code && !taken[q][code];
+    if (take && code)
+      taken[q][code] = 1;
+  }
+  return n;
+}
+
+/* How well a mask serves to fill the list: few relations, but 3 -> 0 and 3 -> 3 without a traversal. */
+static int fills(unsigned mask)
+{
+  if (gmds_path_of(mask, 3, 0).cost > GMDS_COST_LOCAL || gmds_path_of(mask, 3, 3).cost > GMDS_COST_LOCAL)
+    return 0;
+  return 32 - bits((int)mask);
+}
+
+void gmds_census_paths(unsigned masks[GMDS_PATH_MODELS])
+{
+  unsigned char taken[16][CODES] = {{0}};
+  for (int m = 0; m < GMDS_PATH_MODELS; m++) {
+    int most = 0;
+    masks[m] = 0;
+    for (int filling = 0; filling < 2 && !most; filling++)
+      for (size_t k = 0; k < gmds_census_size(3); k++) {
+        unsigned mask = gmds_census_mask(3, k);
+        int known = 0, gain = filling ? fills(mask) : new_paths(mask, taken, 0);
+        for (int q = 0; q < m; q++)
+          known |= masks[q] == mask;
+        if (gain > most && !known && gmds_census_of(mask, 3).identified) {
+          most = gain;
+          masks[m] = mask;
+        }
+      }
+    (void)new_paths(masks[m], taken, 1);
+  }
 }
 
 static int same_word(const char *word, size_t length, const char *name)

@@ -7,6 +7,8 @@
  *   GMDS__CAN_i_j    path and exact: get_adj_i_j exists */
 #if GMDS__S_0_1 || GMDS__S_1_0
 #  define GMDS__PATH_0_0 GMDS_CHOOSE(GMDS_PATHS_0_0_BY_EDGES)
+#elif GMDS__S_0_2 || GMDS__S_2_0
+#  define GMDS__PATH_0_0 GMDS_CHOOSE(GMDS_PATHS_0_0_BY_FACES)
 #else
 #  define GMDS__PATH_0_0 GMDS_CHOOSE(GMDS_PATHS_0_0)
 #endif

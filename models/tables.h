@@ -21,10 +21,12 @@
 /* The rows are a table. */
 /* clang-format off */
 
-/* The first list is for models that link edges and nodes: an edge that bounds no face is known there alone. */
+/* The first list is for models that link edges and nodes: an edge that bounds no face is known there alone. The second is
+ * for others that link faces and nodes: a face may bound no region. */
 #define GMDS_PATHS_0_0_BY_EDGES(P1, P2, P3, P4) P1(1, 0, 0) P2(2, 0, 0, 1, 0, 1)
+#define GMDS_PATHS_0_0_BY_FACES(P1, P2, P3, P4) P1(1, 0, 0) P2(3, 0, 0, 2, 0, 1)
 #define GMDS_PATHS_0_0(P1, P2, P3, P4)                                                                                 \
-  GMDS_PATHS_0_0_BY_EDGES(P1, P2, P3, P4) P2(3, 0, 0, 2, 0, 1) P2(4, 0, 0, 3, 0, 1)
+  P1(1, 0, 0) P2(2, 0, 0, 1, 0, 1) P2(3, 0, 0, 2, 0, 1) P2(4, 0, 0, 3, 0, 1)
 #define GMDS_PATHS_0_1(P1, P2, P3, P4) P1(1, 0, 1)
 #define GMDS_PATHS_0_2(P1, P2, P3, P4) P1(1, 0, 2) P2(2, 1, 0, 1, 2, 1)
 #define GMDS_PATHS_0_3(P1, P2, P3, P4)                                                                                 \

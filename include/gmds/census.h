@@ -37,6 +37,8 @@ typedef struct gmds_path {
   gmds_cost cost;
   unsigned exact; /* for i, j <= 2: the face types (bits of GMDS_FACE_TYPE_LIST) on which the answer is exact in a
                       model that holds no others, or, with all three bits, in any model; 0 for a query of volumes */
+  unsigned exact_regions; /* in a model that keeps regions: the region types (bits of GMDS_REGION_TYPE_LIST) on which the
+                             answer is exact */
 } gmds_path;
 
 /* The path that a mask takes from i to j, 0 <= i, j <= 3. Constant time. */
@@ -59,6 +61,12 @@ gmds_census gmds_census_of(unsigned mask, int dim);
  * top cells. */
 size_t gmds_census_size(int dim);
 unsigned gmds_census_mask(int dim, size_t k);
+
+/* GMDS_PATH_MODELS masks of dimension 3 that identify their cells and between them take every path (gmds_path.code) that
+ * such a mask takes: chosen greedily, the one with the most new paths first; what is left over is filled with those of the
+ * fewest relations that are computed without a traversal from volumes to nodes and volumes. */
+enum { GMDS_PATH_MODELS = 64 };
+void gmds_census_paths(unsigned masks[GMDS_PATH_MODELS]);
 
 /* Reads a mask as the paper and the preprocessor write it: names of cells and relations with | between, blanks allowed;
  * the cells that a relation mentions may be left out of the text and are added. GMDS_OK or GMDS_ERR_ARGUMENT (the

@@ -316,15 +316,29 @@ static inline size_t new_faces_on(const cell_plan *p, size_t e)
 #define GMDS__ROOM(i, j, c, more) \
   GMDS_TRY(gmds_rows_reserve(&m->r_##i##_##j, &m->memory, c, m->r_##i##_##j.length[c] + (size_t)(more)))
 
-#if GMDS__S_1_1 && GMDS__LINKED_0_1
-/* Puts the edges at nodes a and b into m->found. */
-static inline gmds_status edges_at(mesh *m, gmds_id a, gmds_id b)
+/* ---- new edges and faces beside those that are there (E2E, F2F): gathered before anything is linked, in m->more: for
+ * each new edge and then for each new face the number of its neighbours and these. */
+
+#if GMDS__S_1_1 || GMDS__S_2_2
+/* Appends what m->found holds from `first` on as the neighbours of one cell, itself left out. */
+static inline gmds_status note_neighbours(mesh *m, size_t first, gmds_id but)
 {
-  const gmds_id ends[2] = {a, b};
-  GMDS_TRY(start_with(&m->found, ends, 2));
-  GMDS_TRY(hop_0_1(m, &m->found, 0, 2));
-  gmds_ids_keep(&m->found, 2, 1, GMDS_NONE);
-  return end_answer(&m->found, 2);
+  gmds_ids_keep(&m->found, first, 1, but);
+  const size_t n = m->found.n - first;
+  GMDS_TRY(gmds_ids_push(&m->more, (gmds_id)n));
+  GMDS_TRY(gmds_ids_reserve(&m->more, m->more.n + n));
+  if (n)
+    memcpy(m->more.data + m->more.n, m->found.data + first, n * sizeof *m->found.data);
+  m->more.n += n;
+  return GMDS_OK;
+}
+#endif
+
+#if GMDS__S_1_1
+static inline int edges_touch(const cell_plan *p, size_t e, size_t q)
+{
+  const gmds_id *a = p->ends + 2 * e, *b = p->ends + 2 * q;
+  return a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1];
 }
 
 static inline gmds_status reserve_beside_edges(mesh *m, const cell_plan *p)
@@ -332,11 +346,11 @@ static inline gmds_status reserve_beside_edges(mesh *m, const cell_plan *p)
   for (size_t e = 0; e < p->n_edges; e++) {
     if (!p->fresh[e])
       continue;
-    GMDS_TRY(edges_at(m, p->ends[2 * e], p->ends[2 * e + 1]));
-    size_t n = m->found.n;
-    GMDS_TRY(gmds_ids_reserve(&m->found, n + 2 * p->n_edges + 2));
-    GMDS__ROOM(1, 1, p->edge[e], n + p->n_edges);
-    for (size_t i = 0; i < n; i++)
+    GMDS_TRY(start_with(&m->found, p->ends + 2 * e, 2));
+    GMDS_TRY(hop_0_1(m, &m->found, 0, 2));
+    GMDS_TRY(note_neighbours(m, 2, p->edge[e]));
+    GMDS__ROOM(1, 1, p->edge[e], m->found.n + p->n_edges);
+    for (size_t i = 2; i < m->found.n; i++)
       GMDS__ROOM(1, 1, m->found.data[i], p->n_edges);
   }
   return GMDS_OK;
@@ -344,41 +358,44 @@ static inline gmds_status reserve_beside_edges(mesh *m, const cell_plan *p)
 #endif
 
 #if GMDS__S_2_2
-/* The faces that share a side with face k of the plan, itself left out, into m->more. */
-static inline gmds_status faces_beside(mesh *m, const cell_plan *p, size_t k)
+static inline int faces_touch(const cell_plan *p, size_t k, size_t q)
 {
-  m->more.n = 0;
-#  if GMDS__LINKED_0_2 || GMDS__LINKED_1_2
-  for (size_t c = p->begin[k]; c < p->begin[k + 1]; c++) {
-    const size_t e = p->border[c];
-    GMDS_TRY(faces_at_side(m, p->ends[2 * e], p->ends[2 * e + 1], p->fresh[e] == 1 ? GMDS_NONE : p->edge[e],
-                           &m->found));
-    GMDS_TRY(gmds_ids_reserve(&m->more, m->more.n + m->found.n));
-    if (m->found.n)
-      memcpy(m->more.data + m->more.n, m->found.data, m->found.n * sizeof *m->found.data);
-    m->more.n += m->found.n;
-  }
-  gmds_ids_keep(&m->more, 0, 1, p->face[k]);
-#  endif
-  (void)p;
-  (void)k;
-  return GMDS_OK;
+  for (size_t c = p->begin[k]; c < p->begin[k + 1]; c++)
+    for (size_t d = p->begin[q]; d < p->begin[q + 1]; d++)
+      if (p->border[c] == p->border[d])
+        return 1;
+  return 0;
 }
 
 static inline gmds_status reserve_beside_faces(mesh *m, const cell_plan *p)
 {
-  for (size_t k = 0; k < p->n_faces; k++) {
+  gmds_ids around = {.memory = &m->memory};
+  gmds_status status = GMDS_OK;
+  for (size_t k = 0; k < p->n_faces && status == GMDS_OK; k++) {
     if (!p->made[k])
       continue;
-    GMDS_TRY(faces_beside(m, p, k));
-    const size_t n = m->more.n, sides = p->begin[k + 1] - p->begin[k];
-    GMDS_TRY(gmds_ids_reserve(&m->more, n + sides * (p->n_faces + 2)));
-    GMDS_TRY(gmds_ids_reserve(&m->found, m->found.capacity + 2 * p->n_faces + 2));
-    GMDS__ROOM(2, 2, p->face[k], n + p->n_faces);
-    for (size_t i = 0; i < n; i++)
-      GMDS__ROOM(2, 2, m->more.data[i], p->n_faces);
+    around.n = 0;
+#  if GMDS__LINKED_0_2 || GMDS__LINKED_1_2
+    for (size_t c = p->begin[k]; c < p->begin[k + 1] && status == GMDS_OK; c++) {
+      const size_t e = p->border[c];
+      status = faces_at_side(m, p->ends[2 * e], p->ends[2 * e + 1], p->fresh[e] ? GMDS_NONE : p->edge[e], &m->found);
+      for (size_t i = 0; i < m->found.n && status == GMDS_OK; i++)
+        status = gmds_ids_push(&around, m->found.data[i]);
+    }
+#  endif
+    if (status == GMDS_OK)
+      status = start_with(&m->found, around.data, around.n);
+    if (status == GMDS_OK)
+      status = note_neighbours(m, 0, p->face[k]);
+    if (status == GMDS_OK)
+      status = gmds_rows_reserve(&m->r_2_2, &m->memory, p->face[k], m->found.n + p->n_faces);
+    for (size_t i = 0; i < m->found.n && status == GMDS_OK; i++) {
+      const gmds_id f = m->found.data[i];
+      status = gmds_rows_reserve(&m->r_2_2, &m->memory, f, m->r_2_2.length[f] + p->n_faces);
+    }
   }
-  return GMDS_OK;
+  gmds_ids_clear(&around);
+  return status;
 }
 #endif
 
@@ -408,7 +425,8 @@ static inline gmds_status reserve_planned(mesh *m, const cell_plan *p)
     GMDS__ORDERED_FACES(GMDS__ROOM_OF_FACE)
   }
 #undef GMDS__ROOM_OF_FACE
-#if GMDS__S_1_1 && GMDS__LINKED_0_1
+  m->more.n = 0;
+#if GMDS__S_1_1
   GMDS_TRY(reserve_beside_edges(m, p));
 #endif
 #if GMDS__S_2_2
@@ -453,14 +471,6 @@ static inline void link_edge(mesh *m, gmds_id e, gmds_id a, gmds_id b)
   (void)e;
   (void)a;
   (void)b;
-#if GMDS__S_1_1 && GMDS__LINKED_0_1
-  (void)edges_at(m, a, b); /* reserve_planned made the room */
-  for (size_t i = 0; i < m->found.n; i++)
-    if (m->found.data[i] != e) {
-      gmds_rows_push(&m->r_1_1, e, m->found.data[i]);
-      gmds_rows_push(&m->r_1_1, m->found.data[i], e);
-    }
-#endif
 #if GMDS__S_1_0
   m->r_1_0.data[2 * (size_t)e] = a;
   m->r_1_0.data[2 * (size_t)e + 1] = b;
@@ -491,13 +501,6 @@ static inline void link_face(mesh *m, const cell_plan *p, size_t k)
   (void)f;
   (void)corner;
   (void)border;
-#if GMDS__S_2_2
-  (void)faces_beside(m, p, k); /* reserve_planned made the room */
-  for (size_t i = 0; i < m->more.n; i++) {
-    gmds_rows_push(&m->r_2_2, f, m->more.data[i]);
-    gmds_rows_push(&m->r_2_2, m->more.data[i], f);
-  }
-#endif
   for (size_t i = 0; i < n; i++) {
 #if GMDS__S_2_0
     GMDS__PUT_2(0, f, i, corner[i]);
@@ -514,8 +517,53 @@ static inline void link_face(mesh *m, const cell_plan *p, size_t k)
   }
 }
 
-static inline void link_planned(mesh *m, cell_plan *p)
+#if GMDS__S_1_1 || GMDS__S_2_2
+/* Makes a cell and its neighbours know each other: those noted at `at`, behind which the next begin. */
+static inline size_t link_neighbours(mesh *m, gmds_rows *rows, gmds_id c, size_t at)
 {
+  const size_t n = m->more.data[at++];
+  for (size_t i = 0; i < n; i++) {
+    gmds_rows_push(rows, c, m->more.data[at + i]);
+    gmds_rows_push(rows, m->more.data[at + i], c);
+  }
+  return at + n;
+}
+
+static inline void link_beside(mesh *m, const cell_plan *p)
+{
+  size_t at = 0;
+#  if GMDS__S_1_1
+  for (size_t e = 0; e < p->n_edges; e++) {
+    if (!p->fresh[e])
+      continue;
+    at = link_neighbours(m, &m->r_1_1, p->edge[e], at);
+    for (size_t q = 0; q < e; q++)
+      if (p->fresh[q] && edges_touch(p, e, q)) {
+        gmds_rows_push(&m->r_1_1, p->edge[e], p->edge[q]);
+        gmds_rows_push(&m->r_1_1, p->edge[q], p->edge[e]);
+      }
+  }
+#  endif
+#  if GMDS__S_2_2
+  for (size_t k = 0; k < p->n_faces; k++) {
+    if (!p->made[k])
+      continue;
+    at = link_neighbours(m, &m->r_2_2, p->face[k], at);
+    for (size_t q = 0; q < k; q++)
+      if (p->made[q] && faces_touch(p, k, q)) {
+        gmds_rows_push(&m->r_2_2, p->face[k], p->face[q]);
+        gmds_rows_push(&m->r_2_2, p->face[q], p->face[k]);
+      }
+  }
+#  endif
+}
+#endif
+
+static inline void link_planned(mesh *m, const cell_plan *p)
+{
+#if GMDS__S_1_1 || GMDS__S_2_2
+  link_beside(m, p);
+#endif
   for (size_t e = 0; e < p->n_edges; e++) {
     const gmds_id a = p->ends[2 * e], b = p->ends[2 * e + 1];
     (void)a;
@@ -528,7 +576,6 @@ static inline void link_planned(mesh *m, cell_plan *p)
       gmds_rows_push(&m->r_0_0, b, a);
     }
 #endif
-    p->fresh[e] = 0;
   }
   for (size_t k = 0; k < p->n_faces; k++)
     if (p->made[k])

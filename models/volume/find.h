@@ -31,7 +31,8 @@ static inline gmds_status start_with(gmds_ids *list, const gmds_id *cells, size_
 {
   list->n = 0;
   GMDS_TRY(gmds_ids_reserve(list, n));
-  memcpy(list->data, cells, n * sizeof *cells);
+  if (n)
+    memcpy(list->data, cells, n * sizeof *cells);
   list->n = n;
   return GMDS_OK;
 }

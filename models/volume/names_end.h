@@ -51,8 +51,8 @@
 #undef drop_face
 #undef drop_planned
 #undef drop_region
-#undef edges_at
 #undef edges_of_plan
+#undef edges_touch
 #undef empty
 #undef end_0
 #undef end_1
@@ -61,7 +61,7 @@
 #undef end_answer
 #undef face_sides
 #undef faces_at_side
-#undef faces_beside
+#undef faces_touch
 #undef fill_csr
 #undef find_attribute
 #undef find_beyond
@@ -121,8 +121,10 @@
 #undef is_joined
 #undef is_wall
 #undef lacks_one
+#undef link_beside
 #undef link_edge
 #undef link_face
+#undef link_neighbours
 #undef link_planned
 #undef link_region
 #undef meet_0_0
@@ -153,6 +155,7 @@
 #undef next_1
 #undef next_2
 #undef next_3
+#undef note_neighbours
 #undef plan_edge
 #undef plan_polygon
 #undef plan_shape

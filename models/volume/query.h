@@ -237,6 +237,13 @@ static inline gmds_status is_wall(const mesh *m, gmds_id f, gmds_id r, gmds_ids 
 #    endif
   *is = find_wall(m, r, stack->n - first, stack->data + first) != GMDS_NONE;
   stack->n = mark;
+#  elif GMDS__LINKED_2_3
+  size_t mark = stack->n;
+  GMDS_TRY(gmds_ids_push(stack, f));
+  GMDS_TRY(hop_2_3(m, stack, mark, mark + 1));
+  for (size_t k = mark + 1; k < stack->n; k++)
+    *is |= stack->data[k] == r;
+  stack->n = mark;
 #  else
   (void)m;
   (void)f;
@@ -251,6 +258,8 @@ static inline gmds_status is_joined(const mesh *m, gmds_id v, gmds_id b, gmds_id
 {
   size_t mark = stack->n;
   *is = 0;
+  (void)m;
+  (void)b;
   GMDS_TRY(gmds_ids_push(stack, v));
 #  if GMDS__LINKED_0_2
   GMDS_TRY(hop_0_2(m, stack, mark, mark + 1));

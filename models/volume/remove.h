@@ -45,6 +45,8 @@ static inline gmds_status forget_edge(mesh *m, gmds_id e, int dry)
 static inline gmds_status is_bare_edge(mesh *m, gmds_id e, int *bare)
 {
   *bare = 1;
+  (void)m;
+  (void)e;
 #  if GMDS__CAN_1_2
   GMDS_TRY(get_adj_1_2(m, e, &m->found));
   *bare = !m->found.n;
