@@ -105,9 +105,6 @@ gmds_status gmds_stage_mark(gmds_stage *stage, const gmds_text *text)
   return said(text, gmds_ids_push(&stage->first, (gmds_id)stage->soup.n_cells));
 }
 
-/* A tuple so long that it is no value of a point or a cell; it bounds what a line of a file can become. */
-enum { MOST_COMPONENTS = 1000 };
-
 gmds_status gmds_stage_column(gmds_stage *stage, const gmds_text *text, gmds_place place, gmds_token name,
                               gmds_value type, size_t components, gmds_attribute **attribute)
 {
@@ -115,9 +112,9 @@ gmds_status gmds_stage_column(gmds_stage *stage, const gmds_text *text, gmds_pla
   if (!name.n || name.n >= sizeof copy || memchr(name.at, 0, name.n))
     return gmds_text_fail(text, GMDS_ERR_UNSUPPORTED, -1, "the name of an attribute has 1 to %zu bytes and no 0",
                           sizeof copy - 1);
-  if (!components || components > MOST_COMPONENTS)
+  if (!components || components > GMDS_MOST_COMPONENTS)
     return gmds_text_fail(text, GMDS_ERR_UNSUPPORTED, -1, "expected an attribute of 1 to %d components, found %zu",
-                          MOST_COMPONENTS, components);
+                          GMDS_MOST_COMPONENTS, components);
   memcpy(copy, name.at, name.n);
   copy[name.n] = 0;
   gmds_status status = gmds_soup_add_attribute(&stage->soup, place, copy, type, components, attribute);

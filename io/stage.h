@@ -31,6 +31,9 @@ gmds_status gmds_stage_corners(gmds_stage *stage, const gmds_text *text, size_t 
 /* The next cell of the file begins: cells added from here on are made of it. */
 gmds_status gmds_stage_mark(gmds_stage *stage, const gmds_text *text);
 
+/* A tuple that is longer is no value of a point or a cell; this bounds what a line of a file can become. */
+enum { GMDS_MOST_COMPONENTS = 1000 };
+
 /* A new column of attributes. The name may hold any byte but 0, and must not be there. */
 gmds_status gmds_stage_column(gmds_stage *stage, const gmds_text *text, gmds_place place, gmds_token name,
                               gmds_value type, size_t components, gmds_attribute **attribute);

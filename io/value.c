@@ -147,8 +147,7 @@ gmds_status gmds_text_value(const gmds_text *text, gmds_token token, gmds_value 
   if (result == GMDS_NUMBER_NONE || result == GMDS_NUMBER_NEGATIVE)
     return gmds_text_expected(text, "a whole number", token);
   if (result == GMDS_NUMBER_TOO_LARGE || !gmds_value_put_whole(type, at, negative, magnitude))
-    return gmds_text_fail(text, GMDS_ERR_FORMAT, -1, "expected a whole number that fits its type, found '%.*s'",
-                          token.n < 40 ? (int)token.n : 40, token.at);
+    return gmds_text_expected(text, "a whole number that its type holds", token);
   return GMDS_OK;
 }
 

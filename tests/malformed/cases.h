@@ -77,7 +77,11 @@
   X(MEDIT, UNSUPPORTED, "MeshVersionFormatted 9\n", "name:1: expected a version from 1 to 4, found 9")                 \
   X(MEDIT, UNSUPPORTED, "MeshVersionFormatted 1\nDimension 4\n", "name:2: expected the dimension, 2 or 3, found 4")    \
   X(MEDIT, FORMAT, BAD_MEDIT, "name:3: expected a keyword or End, found the end of the file")                          \
-  X(MEDIT, FORMAT, BAD_MEDIT "Points 1\n", "name:3: expected a keyword of Medit, found 'Points'")                      \
+  X(MEDIT, FORMAT, BAD_MEDIT "Points 1\n", "name:3: Points: 0 numbers are not 1 rows")                                 \
+  X(MEDIT, FORMAT, BAD_MEDIT "Points 2\n1 2 3\nEnd\n", "name:4: Points: 3 numbers are not 2 rows")                     \
+  X(MEDIT, FORMAT, BAD_MEDIT "Points 2\n1 2 ?\nEnd\n", "name:4: expected a number, found '?'")                         \
+  X(MEDIT, FORMAT, BAD_MEDIT "12 Points\n", "name:3: expected a keyword of Medit, found '12'")                         \
+  X(MEDIT, UNSUPPORTED, BAD_MEDIT "TrianglesP2 1\n", "name:3: TrianglesP2: only cells of the first order are read")    \
   X(MEDIT, FORMAT, BAD_MEDIT "Vertices 4000000000\n0 0 0\n",                                                           \
     "name:3: 4000000000 Vertices are declared, but only 7 bytes remain")                                               \
   X(MEDIT, FORMAT, BAD_MEDIT "Vertices 1\n0 0 0 0 0 End\n", "name:4: expected the end of the line, found '0'")         \
@@ -149,10 +153,12 @@
   X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "LINES 1 2\n1 0\n", "name:8: a poly-line has at least 2 points, found 1")   \
   X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "SCALARS s int\n", "name:7: expected a section of VTK, found 'SCALARS'")    \
   X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "POINT_DATA 3\nSCALARS s int\nLOOKUP_TABLE default\n1 2\n",                 \
-    "name:11: expected a number, found the end of the file")                                                           \
+    "name:11: expected a whole number, found the end of the file")                                                     \
   X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "POINT_DATA 18446744073709551615\nVECTORS s int\n1 2\n",                    \
+    "name:7: expected the attributes of 3 points, found those of 18446744073709551615")                                \
+  X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "FIELD f 1\na 3 18446744073709551615 int\n1 2\n",                           \
     "name:8: 18446744073709551615 tuples of 3 numbers are more than a file holds")                                     \
-  X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "POINT_DATA 2\nSCALARS s int\n1 2\n",                                       \
+  X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "POINT_DATA 3\nSCALARS s int\n1 2\n",                                       \
     "name:9: expected LOOKUP_TABLE, found '1'")                                                                        \
   X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "FIELD f 1\na 1 2 int\n1 b\n", "name:9: expected a number, found 'b'")      \
   X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "FIELD f 2\na 1 1 int\n1\n",                                                \
