@@ -103,7 +103,8 @@ static gmds_status choose(const writer *w, const gmds_write_options *options, gm
   if (!(w->encodings & encoding))
     return gmds_sink_fail(sink, GMDS_ERR_UNSUPPORTED, "%s is not written %s", w->text,
                           encoding == TEXT ? "as text" : "in binary");
-  if (options && options->version)
+  sink->asked = options && options->version;
+  if (sink->asked)
     version = options->version;
   if (version != w->versions[0] && version != w->versions[1])
     return gmds_sink_fail(sink, GMDS_ERR_UNSUPPORTED, "%s is not written in version %d.%d", w->text, version / 10,

@@ -1,6 +1,7 @@
 /* Writer of Gmsh's MSH, versions 4.1 and 2.2, ASCII and binary. Nodes and elements are numbered from 1 in the order of
  * the soup. The tags of a cell are the attributes "physical" and "geometrical"; version 4.1 gives them by way of an
- * entity, which is the geometrical tag of a dimension and can have one physical one. Other attributes are views. */
+ * entity, which is the geometrical tag of a dimension and can have one physical one; where it has several and no version
+ * was asked for, it is 2.2. Other attributes are views. */
 #include "gmsh.h"
 #include "writers.h"
 #include <inttypes.h>
@@ -70,7 +71,7 @@ typedef struct entity {
 } entity;
 
 typedef struct mesh {
-  const gmds_sink *sink;
+  gmds_sink *sink;
   const gmds_attribute *physical, *geometrical; /* NULL: there is none */
   entity *entities;
   size_t n, capacity;
@@ -146,6 +147,28 @@ static void extend_box(const mesh *m, entity *e, size_t cell)
     }
 }
 
+/* Gives each entity its physical tag and its box. With two tags for one, the version becomes 2.2 or the call fails. */
+static gmds_status describe_entities(mesh *m)
+{
+  for (size_t c = 0; c < m->sink->soup->n_cells; c++) {
+    entity *e = find_entity(m, key_of(m, c));
+    int physical = gmds_reference(m->physical, c);
+    extend_box(m, e, c);
+    if (e->seen && e->physical != physical) {
+      if (m->sink->asked)
+        return gmds_sink_fail(m->sink, GMDS_ERR_UNSUPPORTED,
+                              "cells of dimension %d with the geometrical tag %d have the physical tags %d and %d: "
+                              "Gmsh 4.1 has one, 2.2 has any",
+                              dimension_of(m, c), entity_of(m, c), e->physical, physical);
+      m->sink->version = 22;
+      return GMDS_OK;
+    }
+    e->physical = physical;
+    e->seen = 1;
+  }
+  return GMDS_OK;
+}
+
 static gmds_status find_entities(mesh *m)
 {
   const gmds_soup *soup = m->sink->soup;
@@ -159,19 +182,7 @@ static gmds_status find_entities(mesh *m)
   if (!soup->n_cells) /* the nodes must be of one */
     GMDS_TRY(push_entity(m, (uint64_t)(unsigned)soup->dim << 32 | 1));
   keep_once(m);
-  for (size_t c = 0; c < soup->n_cells; c++) {
-    entity *e = find_entity(m, key_of(m, c));
-    int physical = gmds_reference(m->physical, c);
-    extend_box(m, e, c);
-    if (e->seen && e->physical != physical)
-      return gmds_sink_fail(m->sink, GMDS_ERR_UNSUPPORTED,
-                            "cells of dimension %d with the geometrical tag %d have the physical tags %d and %d: "
-                            "Gmsh 4.1 has one, 2.2 has any",
-                            dimension_of(m, c), entity_of(m, c), e->physical, physical);
-    e->physical = physical;
-    e->seen = 1;
-  }
-  return GMDS_OK;
+  return describe_entities(m);
 }
 
 static void write_entities(const mesh *m)
@@ -367,7 +378,8 @@ static const gmds_attribute *tags_of(const gmds_soup *soup, const char *name)
 gmds_status gmds_write_gmsh(const gmds_sink *sink)
 {
   const gmds_soup *soup = sink->soup;
-  mesh m = {.sink = sink, .physical = tags_of(soup, "physical"), .geometrical = tags_of(soup, "geometrical")};
+  gmds_sink own = *sink;
+  mesh m = {.sink = &own, .physical = tags_of(soup, "physical"), .geometrical = tags_of(soup, "geometrical")};
   if (soup->n_points > INT32_MAX || soup->n_cells > INT32_MAX)
     return gmds_sink_fail(sink, GMDS_ERR_UNSUPPORTED, "Gmsh has numbers of 32 bits, which are too few");
   gmds_status status = write_sections(&m);

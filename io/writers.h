@@ -12,6 +12,7 @@ typedef struct gmds_sink {
   const gmds_soup *soup;
   int binary;
   int version; /* as in gmds_write_options, never 0 where the format has several */
+  int asked;   /* the version was asked for, and is not merely the usual one */
   const char *path;
   gmds_error *error;
 } gmds_sink;

@@ -47,7 +47,8 @@ typedef enum gmds_encoding { GMDS_ENCODING_USUAL, GMDS_ENCODING_TEXT, GMDS_ENCOD
 
 typedef struct gmds_write_options {
   gmds_encoding encoding; /* VTK legacy and Gmsh: text unless asked; VTU: base64 unless asked; others have no choice */
-  int version;            /* ten times the format's: VTK legacy 30 or 51, Gmsh 41 or 22; 0: the first of these */
+  int version;            /* ten times the format's: VTK legacy 30 or 51, Gmsh 41 or 22; 0: the first of these (Gmsh:
+                             the second where cells of one geometrical tag have several physical ones) */
 } gmds_write_options;
 
 /* Writes a mesh file, its format taken from the extension, under a temporary name in the same folder first: on failure

@@ -84,6 +84,25 @@ static inline double attribute_value(const gmds_attribute *a, size_t k)
   return 0;
 }
 
+/* The attributes of a short soup as one line of text: place, name, type, values. */
+static inline const char *attributes_text(const gmds_soup *soup)
+{
+  static char text[4096];
+  size_t at = 0;
+  for (int place = 0; place < GMDS_PLACE_COUNT; place++)
+    for (const gmds_attribute *a = soup->attributes[place]; a; a = a->next) {
+      size_t n = (place == GMDS_OF_POINTS ? soup->n_points : soup->n_cells) * a->components;
+      at += (size_t)snprintf(text + at, sizeof text - at, "%s %s %s:", place == GMDS_OF_POINTS ? "points" : "cells",
+                             a->name, gmds_value_text(a->type));
+      for (size_t k = 0; k < n; k++)
+        at +=
+            (size_t)snprintf(text + at, sizeof text - at, "%s%g", k % a->components ? "," : " ", attribute_value(a, k));
+      at += (size_t)snprintf(text + at, sizeof text - at, "; ");
+    }
+  text[at] = 0;
+  return text;
+}
+
 /* Every attribute of `a` that a format holds is in `b`: in VTK's formats it is the same bit for bit, in Gmsh's the same
  * numbers. */
 static inline void assert_same_attributes(gmds_format format, const gmds_soup *a, const gmds_soup *b)
