@@ -93,7 +93,7 @@ static gmds_status take_stream(gmds_vtu *vtu, cells *c, uint64_t end)
   gmds_vtk_block *faces = &c->block[FACES];
   gmds_ids *corners = &vtu->stage->corners;
   if (!c->has_faces || end < c->faces || end - c->faces > faces->left)
-    return gmds_text_fail(&faces->text, GMDS_ERR_FORMAT, -1, "a polyhedron without faces");
+    return gmds_text_fail(&c->block[TYPES].text, GMDS_ERR_FORMAT, -1, "a polyhedron without faces");
   GMDS_TRY(gmds_stage_corners(vtu->stage, &faces->text, (size_t)(end - c->faces)));
   c->faces = end;
   uint64_t count = 0; /* points of the face that are still to come */
