@@ -41,7 +41,8 @@ static gmds_token decoded(gmds_token name, char text[256])
   for (size_t k = 0; k < name.n && n < 256; k++) {
     int high = name.at[k] == '%' && k + 2 < name.n ? hexadecimal(name.at[k + 1]) : -1;
     int low = high >= 0 ? hexadecimal(name.at[k + 2]) : -1;
-    text[n++] = low >= 0 ? (char)(high << 4 | low) : name.at[k];
+    int byte = low >= 0 ? high << 4 | low : name.at[k];
+    text[n++] = (char)byte;
     k += low >= 0 ? 2 : 0;
   }
   return (gmds_token){text, n};

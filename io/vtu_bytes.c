@@ -53,6 +53,8 @@ static int decode_group(source *s)
 static int take(source *s, void *bytes, size_t n)
 {
   unsigned char *to = bytes;
+  if (!n)
+    return 1;
   if (!s->base64) {
     if (n > (size_t)(s->end - s->at))
       return 0;
