@@ -156,31 +156,47 @@ gmds_attribute *gmds_attribute_find(const gmds_cells *cells, const char *name)
   return NULL;
 }
 
-gmds_status gmds_attribute_add(gmds_cells *cells, const char *name, gmds_value type, size_t components,
-                               gmds_attribute **attribute)
+gmds_status gmds_attribute_make(gmds_memory *memory, const char *name, gmds_value type, size_t components,
+                                size_t capacity, gmds_attribute **attribute)
 {
-  gmds_memory *memory = cells->alive.memory;
   size_t bytes = gmds_value_bytes(type);
   if (!name || !*name || !bytes || !components || components > SIZE_MAX / bytes)
     return GMDS_ERR_ARGUMENT;
-  if (gmds_attribute_find(cells, name))
-    return GMDS_ERR_CONFLICT;
   void *object = NULL, *text = NULL, *data = NULL;
   size_t name_bytes = strlen(name) + 1;
   bytes *= components;
   if (!gmds_resize(memory, &object, 0, 1, sizeof(gmds_attribute)))
     return GMDS_ERR_MEMORY;
-  if (!gmds_resize(memory, &text, 0, name_bytes, 1) || !gmds_resize(memory, &data, 0, cells->capacity, bytes)) {
+  if (!gmds_resize(memory, &text, 0, name_bytes, 1) || !gmds_resize(memory, &data, 0, capacity, bytes)) {
     if (text)
       gmds_release(memory, text, name_bytes, 1);
     gmds_release(memory, object, 1, sizeof(gmds_attribute));
     return GMDS_ERR_MEMORY;
   }
   memcpy(text, name, name_bytes);
-  if (cells->capacity)
-    memset(data, 0, cells->capacity * bytes);
+  if (capacity)
+    memset(data, 0, capacity * bytes);
   gmds_attribute *a = object;
-  *a = (gmds_attribute){cells->attributes, text, name_bytes, type, components, bytes, data};
+  *a = (gmds_attribute){NULL, text, name_bytes, type, components, bytes, data};
+  *attribute = a;
+  return GMDS_OK;
+}
+
+void gmds_attribute_free(gmds_memory *memory, gmds_attribute *attribute, size_t capacity)
+{
+  gmds_release(memory, attribute->data, capacity, attribute->bytes);
+  gmds_release(memory, attribute->name, attribute->name_bytes, 1);
+  gmds_release(memory, attribute, 1, sizeof *attribute);
+}
+
+gmds_status gmds_attribute_add(gmds_cells *cells, const char *name, gmds_value type, size_t components,
+                               gmds_attribute **attribute)
+{
+  gmds_attribute *a = NULL;
+  if (name && gmds_attribute_find(cells, name))
+    return GMDS_ERR_CONFLICT;
+  GMDS_TRY(gmds_attribute_make(cells->alive.memory, name, type, components, cells->capacity, &a));
+  a->next = cells->attributes;
   cells->attributes = a;
   *attribute = a;
   return GMDS_OK;
@@ -188,14 +204,11 @@ gmds_status gmds_attribute_add(gmds_cells *cells, const char *name, gmds_value t
 
 void gmds_attribute_remove(gmds_cells *cells, gmds_attribute *attribute)
 {
-  gmds_memory *memory = cells->alive.memory;
   gmds_attribute **link = &cells->attributes;
   while (*link && *link != attribute)
     link = &(*link)->next;
   if (!*link)
     return;
   *link = attribute->next;
-  gmds_release(memory, attribute->data, cells->capacity, attribute->bytes);
-  gmds_release(memory, attribute->name, attribute->name_bytes, 1);
-  gmds_release(memory, attribute, 1, sizeof *attribute);
+  gmds_attribute_free(cells->alive.memory, attribute, cells->capacity);
 }

@@ -101,9 +101,14 @@ static gmds_status read_section(gmds_vtk *vtk, gmds_token keyword)
   if (!vtk->polydata && gmds_token_is_any_case(keyword, "CELL_TYPES"))
     return gmds_vtk_read_types(vtk);
   for (size_t i = 0; vtk->polydata && i < sizeof rows / sizeof *rows; i++)
-    if (gmds_token_is_any_case(keyword, rows[i].keyword))
+    if (gmds_token_is_any_case(keyword, rows[i].keyword)) {
+      if (i < vtk->last_kind) /* CELL_DATA would have them in the other order */
+        return gmds_text_fail(vtk->text, GMDS_ERR_UNSUPPORTED, -1, "%s behind %s: only the usual order is read",
+                              rows[i].keyword, rows[vtk->last_kind].keyword);
+      vtk->last_kind = i;
       return gmds_vtk_read_polydata(vtk, rows[i].type);
-  GMDS_TRY(gmds_vtk_skip_section(vtk, keyword, &known));
+    }
+  GMDS_TRY(gmds_vtk_read_data(vtk, keyword, &known));
   return known ? GMDS_OK : gmds_text_expected(vtk->text, "a section of VTK", keyword);
 }
 

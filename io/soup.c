@@ -1,4 +1,4 @@
-/* The soup: points and cells in growing arrays. */
+/* The soup: points and cells in growing arrays, and columns of values that grow with them. */
 #include <gmds/soup.h>
 #include <string.h>
 
@@ -39,6 +39,9 @@ void gmds_soup_init(gmds_soup *soup, gmds_memory *memory, int dim)
 
 void gmds_soup_clear(gmds_soup *soup)
 {
+  for (int place = 0; place < GMDS_PLACE_COUNT; place++)
+    while (soup->attributes[place])
+      gmds_soup_remove_attribute(soup, (gmds_place)place, soup->attributes[place]);
   gmds_release(soup->memory, soup->points, soup->point_capacity, (size_t)soup->dim * sizeof *soup->points);
   gmds_release(soup->memory, soup->types, soup->cell_capacity, sizeof *soup->types);
   gmds_release(soup->memory, soup->begin, begin_count(soup->cell_capacity), sizeof *soup->begin);
@@ -46,11 +49,38 @@ void gmds_soup_clear(gmds_soup *soup)
   gmds_soup_init(soup, soup->memory, soup->dim);
 }
 
+static size_t place_capacity(const gmds_soup *soup, gmds_place place)
+{
+  return place == GMDS_OF_POINTS ? soup->point_capacity : soup->cell_capacity;
+}
+
+/* Gives every column of a place another capacity. On failure, which happens in growing alone, all have the old one. */
+static int resize_columns(gmds_soup *soup, gmds_place place, size_t old, size_t capacity)
+{
+  for (gmds_attribute *a = soup->attributes[place]; a; a = a->next)
+    if (!gmds_resize(soup->memory, &a->data, old, capacity, a->bytes)) {
+      for (gmds_attribute *b = soup->attributes[place]; b != a; b = b->next)
+        (void)gmds_resize(soup->memory, &b->data, capacity, old, b->bytes);
+      return 0;
+    }
+  return 1;
+}
+
+static void empty_row(gmds_soup *soup, gmds_place place, size_t row)
+{
+  for (gmds_attribute *a = soup->attributes[place]; a; a = a->next)
+    memset((char *)a->data + row * a->bytes, 0, a->bytes);
+}
+
 static int set_point_capacity(gmds_soup *soup, size_t capacity)
 {
   void *points = soup->points;
-  if (!gmds_resize(soup->memory, &points, soup->point_capacity, capacity, (size_t)soup->dim * sizeof *soup->points))
+  if (!resize_columns(soup, GMDS_OF_POINTS, soup->point_capacity, capacity))
     return 0;
+  if (!gmds_resize(soup->memory, &points, soup->point_capacity, capacity, (size_t)soup->dim * sizeof *soup->points)) {
+    (void)resize_columns(soup, GMDS_OF_POINTS, capacity, soup->point_capacity);
+    return 0;
+  }
   soup->points = points;
   soup->point_capacity = capacity;
   return 1;
@@ -76,6 +106,11 @@ static int set_cell_capacity(gmds_soup *soup, size_t capacity)
     return 0;
   if (!gmds_resize(soup->memory, &begin, 0, begin_count(capacity), sizeof *soup->begin)) {
     gmds_release(soup->memory, types, capacity, sizeof *soup->types);
+    return 0;
+  }
+  if (!resize_columns(soup, GMDS_OF_CELLS, soup->cell_capacity, capacity)) {
+    gmds_release(soup->memory, types, capacity, sizeof *soup->types);
+    gmds_release(soup->memory, begin, begin_count(capacity), sizeof *soup->begin);
     return 0;
   }
   if (soup->n_cells) {
@@ -111,19 +146,52 @@ gmds_status gmds_soup_add_point(gmds_soup *soup, const double *x)
       !set_point_capacity(soup, gmds_grown(soup->point_capacity, soup->n_points + 1)))
     return GMDS_ERR_MEMORY;
   memcpy(soup->points + soup->n_points * (size_t)soup->dim, x, (size_t)soup->dim * sizeof *x);
-  soup->n_points++;
+  empty_row(soup, GMDS_OF_POINTS, soup->n_points++);
   return GMDS_OK;
+}
+
+/* Whether the n entries are a polyhedron's: its faces, their counts, and nothing behind them. */
+static int is_polyhedron(size_t n, const gmds_id *stream)
+{
+  if (!n || stream[0] < 4)
+    return 0;
+  size_t at = 1;
+  for (gmds_id face = 0; face < stream[0]; face++) {
+    if (at == n || stream[at] < 3 || stream[at] > n - at - 1)
+      return 0;
+    at += 1 + (size_t)stream[at];
+  }
+  return at == n;
+}
+
+static int are_points(const gmds_soup *soup, size_t n, const gmds_id *corners)
+{
+  for (size_t k = 0; k < n; k++)
+    if (corners[k] >= soup->n_points)
+      return 0;
+  return 1;
+}
+
+static gmds_status check_cell(const gmds_soup *soup, gmds_cell_type type, size_t n, const gmds_id *corners)
+{
+  if ((unsigned)type >= GMDS_CELL_TYPE_COUNT)
+    return GMDS_ERR_ARGUMENT;
+  if (type == GMDS_POLYHEDRON) {
+    if (!is_polyhedron(n, corners))
+      return GMDS_ERR_ARGUMENT;
+    for (size_t at = 1; at < n; at += 1 + (size_t)corners[at])
+      if (!are_points(soup, corners[at], corners + at + 1))
+        return GMDS_ERR_CELL;
+    return GMDS_OK;
+  }
+  if (type == GMDS_POLYGON ? n < 3 : n != (size_t)gmds_cell_type_points(type))
+    return GMDS_ERR_ARGUMENT;
+  return are_points(soup, n, corners) ? GMDS_OK : GMDS_ERR_CELL;
 }
 
 gmds_status gmds_soup_add_cell(gmds_soup *soup, gmds_cell_type type, size_t n, const gmds_id *corners)
 {
-  if ((unsigned)type >= GMDS_CELL_TYPE_COUNT)
-    return GMDS_ERR_ARGUMENT;
-  if (type == GMDS_POLYGON ? n < 3 : n != (size_t)gmds_cell_type_points(type))
-    return GMDS_ERR_ARGUMENT;
-  for (size_t k = 0; k < n; k++)
-    if (corners[k] >= soup->n_points)
-      return GMDS_ERR_CELL;
+  GMDS_TRY(check_cell(soup, type, n, corners));
   size_t used = soup->n_cells ? soup->begin[soup->n_cells] : 0;
   if (soup->n_cells >= GMDS_NONE)
     return GMDS_ERR_TOO_MANY;
@@ -135,9 +203,63 @@ gmds_status gmds_soup_add_cell(gmds_soup *soup, gmds_cell_type type, size_t n, c
   if (used + n > soup->corner_capacity && !set_corner_capacity(soup, gmds_grown(soup->corner_capacity, used + n)))
     return GMDS_ERR_MEMORY;
   memcpy(soup->corners + used, corners, n * sizeof *corners);
-  soup->types[soup->n_cells++] = (uint8_t)type;
+  soup->types[soup->n_cells] = (uint8_t)type;
+  empty_row(soup, GMDS_OF_CELLS, soup->n_cells++);
   soup->begin[soup->n_cells] = used + n;
   return GMDS_OK;
+}
+
+gmds_status gmds_soup_cell_points(const gmds_soup *soup, size_t cell, gmds_ids *points)
+{
+  const gmds_id *corners = soup->corners + soup->begin[cell];
+  size_t n = soup->begin[cell + 1] - soup->begin[cell];
+  GMDS_TRY(gmds_ids_reserve(points, n));
+  points->n = 0;
+  if (soup->types[cell] != GMDS_POLYHEDRON) {
+    memcpy(points->data, corners, n * sizeof *corners);
+    points->n = n;
+    return GMDS_OK;
+  }
+  for (size_t at = 1; at < n; at += 1 + (size_t)corners[at]) {
+    memcpy(points->data + points->n, corners + at + 1, corners[at] * sizeof *corners);
+    points->n += corners[at];
+  }
+  gmds_ids_keep(points, 0, 1, GMDS_NONE);
+  return GMDS_OK;
+}
+
+gmds_attribute *gmds_soup_find_attribute(const gmds_soup *soup, gmds_place place, const char *name)
+{
+  gmds_attribute *a = (unsigned)place < GMDS_PLACE_COUNT ? soup->attributes[place] : NULL;
+  while (a && strcmp(a->name, name) != 0)
+    a = a->next;
+  return a;
+}
+
+gmds_status gmds_soup_add_attribute(gmds_soup *soup, gmds_place place, const char *name, gmds_value type,
+                                    size_t components, gmds_attribute **attribute)
+{
+  if ((unsigned)place >= GMDS_PLACE_COUNT)
+    return GMDS_ERR_ARGUMENT;
+  if (name && gmds_soup_find_attribute(soup, place, name))
+    return GMDS_ERR_CONFLICT;
+  GMDS_TRY(gmds_attribute_make(soup->memory, name, type, components, place_capacity(soup, place), attribute));
+  gmds_attribute **link = &soup->attributes[place];
+  while (*link)
+    link = &(*link)->next;
+  *link = *attribute;
+  return GMDS_OK;
+}
+
+void gmds_soup_remove_attribute(gmds_soup *soup, gmds_place place, gmds_attribute *attribute)
+{
+  gmds_attribute **link = &soup->attributes[place];
+  while (*link && *link != attribute)
+    link = &(*link)->next;
+  if (!*link)
+    return;
+  *link = attribute->next;
+  gmds_attribute_free(soup->memory, attribute, place_capacity(soup, place));
 }
 
 void gmds_soup_trim(gmds_soup *soup)

@@ -8,6 +8,7 @@ void gmds_stage_init(gmds_stage *stage, gmds_memory *memory, int dim, int points
   gmds_soup_init(&stage->soup, memory, 3);
   gmds_ids_init(&stage->corners, memory);
   gmds_ids_init(&stage->sorted, memory);
+  gmds_ids_init(&stage->first, memory);
 }
 
 void gmds_stage_clear(gmds_stage *stage)
@@ -15,6 +16,7 @@ void gmds_stage_clear(gmds_stage *stage)
   gmds_soup_clear(&stage->soup);
   gmds_ids_clear(&stage->corners);
   gmds_ids_clear(&stage->sorted);
+  gmds_ids_clear(&stage->first);
 }
 
 static gmds_status said(const gmds_text *text, gmds_status status)
@@ -68,14 +70,80 @@ static gmds_status repeats(gmds_stage *stage, size_t n, const gmds_id *corners, 
   return GMDS_OK;
 }
 
+/* A polyhedron is degenerate where one of its faces is. */
+static gmds_status faces_repeat(gmds_stage *stage, size_t n, const gmds_id *stream, int *repeated)
+{
+  *repeated = 0;
+  for (size_t at = 1; at < n && stream[at] < n - at && !*repeated; at += 1 + (size_t)stream[at])
+    GMDS_TRY(repeats(stage, stream[at], stream + at + 1, repeated));
+  return GMDS_OK;
+}
+
 gmds_status gmds_stage_cell(gmds_stage *stage, const gmds_text *text, gmds_cell_type type, size_t n,
                             const gmds_id *corners)
 {
   int repeated;
-  GMDS_TRY(said(text, repeats(stage, n, corners, &repeated)));
-  if (!repeated)
-    return said(text, gmds_soup_add_cell(&stage->soup, type, n, corners));
-  stage->soup.degenerate++;
+  GMDS_TRY(said(text, (type == GMDS_POLYHEDRON ? faces_repeat : repeats)(stage, n, corners, &repeated)));
+  if (repeated) {
+    stage->soup.degenerate++;
+    return GMDS_OK;
+  }
+  gmds_status status = gmds_soup_add_cell(&stage->soup, type, n, corners);
+  if (type != GMDS_POLYHEDRON || status == GMDS_OK)
+    return said(text, status);
+  if (status == GMDS_ERR_ARGUMENT)
+    return gmds_text_fail(text, GMDS_ERR_FORMAT, (long long)stage->soup.n_cells,
+                          "expected a polyhedron of 4 faces or more, each of 3 points or more");
+  if (status == GMDS_ERR_CELL)
+    return gmds_text_fail(text, GMDS_ERR_FORMAT, (long long)stage->soup.n_cells,
+                          "a polyhedron with an index beyond the %zu points", stage->soup.n_points);
+  return said(text, status);
+}
+
+gmds_status gmds_stage_mark(gmds_stage *stage, const gmds_text *text)
+{
+  return said(text, gmds_ids_push(&stage->first, (gmds_id)stage->soup.n_cells));
+}
+
+gmds_status gmds_stage_column(gmds_stage *stage, const gmds_text *text, gmds_place place, gmds_token name,
+                              gmds_value type, size_t components, gmds_attribute **attribute)
+{
+  char copy[256];
+  if (!name.n || name.n >= sizeof copy || memchr(name.at, 0, name.n))
+    return gmds_text_fail(text, GMDS_ERR_UNSUPPORTED, -1, "the name of an attribute has 1 to %zu bytes and no 0",
+                          sizeof copy - 1);
+  if (!components || components > GMDS_MOST_COMPONENTS)
+    return gmds_text_fail(text, GMDS_ERR_UNSUPPORTED, -1, "expected an attribute of 1 to %d components, found %zu",
+                          GMDS_MOST_COMPONENTS, components);
+  memcpy(copy, name.at, name.n);
+  copy[name.n] = 0;
+  gmds_status status = gmds_soup_add_attribute(&stage->soup, place, copy, type, components, attribute);
+  if (status == GMDS_ERR_CONFLICT)
+    return gmds_text_fail(text, GMDS_ERR_FORMAT, -1, "the attribute '%.60s' of %s is there a second time", copy,
+                          place == GMDS_OF_POINTS ? "points" : "cells");
+  return said(text, status);
+}
+
+void gmds_stage_row(gmds_stage *stage, gmds_place place, gmds_attribute *attribute, size_t row, const void *values)
+{
+  size_t from = row, to = row + 1;
+  if (place == GMDS_OF_CELLS) {
+    from = stage->first.data[row];
+    to = row + 1 < stage->first.n ? stage->first.data[row + 1] : stage->soup.n_cells;
+  }
+  for (; from < to; from++)
+    memcpy((char *)attribute->data + from * attribute->bytes, values, attribute->bytes);
+}
+
+gmds_status gmds_stage_reference(gmds_stage *stage, const gmds_text *text, gmds_place place, const char *name,
+                                 size_t item, int value)
+{
+  gmds_attribute *a = gmds_soup_find_attribute(&stage->soup, place, name);
+  if (!value)
+    return GMDS_OK; /* as columns begin */
+  if (!a)
+    GMDS_TRY(gmds_stage_column(stage, text, place, (gmds_token){name, strlen(name)}, GMDS_INT, 1, &a));
+  ((int *)a->data)[item] = value;
   return GMDS_OK;
 }
 
@@ -95,13 +163,21 @@ static gmds_status flatten(gmds_soup *soup)
     soup->points[2 * p] = soup->points[3 * p];
     soup->points[2 * p + 1] = soup->points[3 * p + 1];
   }
+  gmds_soup_trim(soup); /* attributes too have room for the points and no more */
   void *points = soup->points;
-  if (!gmds_resize(soup->memory, &points, 3 * soup->point_capacity, 2 * soup->n_points, sizeof *soup->points))
+  if (!gmds_resize(soup->memory, &points, 3 * soup->n_points, 2 * soup->n_points, sizeof *soup->points))
     return GMDS_ERR_MEMORY;
   soup->points = points;
-  soup->point_capacity = soup->n_points;
   soup->dim = 2;
   return GMDS_OK;
+}
+
+static void keep_points(gmds_soup *soup)
+{
+  soup->n_cells = soup->degenerate = soup->unread = 0;
+  for (int place = 0; place < GMDS_PLACE_COUNT; place++)
+    while (soup->attributes[place])
+      gmds_soup_remove_attribute(soup, (gmds_place)place, soup->attributes[place]);
 }
 
 static gmds_status refuse_to_flatten(const gmds_text *text, const gmds_soup *soup, size_t point)
@@ -121,7 +197,7 @@ gmds_status gmds_stage_commit(gmds_stage *stage, const gmds_text *text, gmds_sou
   whole.binary = 0;
   whole.line = 0;
   if (stage->points_only)
-    made->n_cells = made->degenerate = 0;
+    keep_points(made);
   size_t count[4], off = first_off_the_plane(made);
   gmds_soup_count(made, count);
   int flat = off == made->n_points && !count[3];

@@ -4,6 +4,7 @@
 #define GMDS_VTK_H
 
 #include "stage.h"
+#include "value.h"
 
 typedef enum gmds_vtk_kind {
   GMDS_VTK_SIGNED,
@@ -44,6 +45,7 @@ typedef struct gmds_vtk_block {
   int binary;
   gmds_vtk_type type;
   size_t left; /* numbers not read yet */
+  int little;  /* words are little-endian, which they never are in a legacy file */
 } gmds_vtk_block;
 
 /* A section of cells: where its numbers are. */
@@ -62,7 +64,9 @@ typedef struct gmds_vtk {
   int has_points, has_cells, has_types; /* POINTS, CELLS, CELL_TYPES were seen */
   gmds_vtk_cells cells;                 /* of CELLS */
   int has_data;                         /* POINT_DATA or CELL_DATA was seen */
-  uint64_t tuples;                      /* of the last of these */
+  gmds_place place;                     /* the last of these */
+  uint64_t tuples;                      /* of it */
+  size_t last_kind;                     /* of POLYDATA: the kind of cells that was listed last */
 } gmds_vtk;
 
 /* vtk_numbers.c: blocks of numbers */
@@ -81,11 +85,22 @@ gmds_status gmds_vtk_whole(gmds_vtk_block *block, const char *what, uint64_t *x)
 gmds_status gmds_vtk_index(gmds_vtk_block *block, size_t n, gmds_id *id);
 gmds_status gmds_vtk_real(gmds_vtk_block *block, size_t point, double *x);
 
+/* The type of a column that holds numbers of a type without loss, and the next number of a block as a value of it. */
+gmds_value gmds_vtk_value_type(gmds_vtk_type type);
+gmds_status gmds_vtk_value(gmds_vtk_block *block, gmds_value type, void *at);
+
+/* VTK's number for a polyhedron, whose indices are a stream of faces. */
+enum { GMDS_VTK_POLYHEDRON = 42 };
+
 /* vtk_cells.c: what follows CELLS, CELL_TYPES, and the keyword of cells of one of VTK's types */
 gmds_status gmds_vtk_find_cells(gmds_vtk *vtk);
 gmds_status gmds_vtk_read_types(gmds_vtk *vtk);
 gmds_status gmds_vtk_read_polydata(gmds_vtk *vtk, unsigned type);
 
-/* vtk_data.c: what is not geometry is skipped. `*known` tells whether the keyword was one of these. */
-gmds_status gmds_vtk_skip_section(gmds_vtk *vtk, gmds_token keyword, int *known);
+/* Adds a cell of VTK's type with the points in stage->corners, which are given another order where VTK has another.
+ * `text` is where they ended. */
+gmds_status gmds_vtk_add_cell(gmds_vtk *vtk, const gmds_text *text, uint64_t type);
+
+/* vtk_data.c: what is not geometry. `*known` tells whether the keyword was one of these. */
+gmds_status gmds_vtk_read_data(gmds_vtk *vtk, gmds_token keyword, int *known);
 #endif

@@ -62,14 +62,15 @@ static gmds_cell_type type_of_polygon(size_t n)
   return n == 3 ? GMDS_TRIANGLE : n == 4 ? GMDS_QUADRILATERAL : GMDS_POLYGON;
 }
 
-/* Adds a cell of VTK's type with the points in stage->corners. `text` is where its indices ended. */
-static gmds_status add_cell(gmds_vtk *vtk, const gmds_text *text, uint64_t type)
+gmds_status gmds_vtk_add_cell(gmds_vtk *vtk, const gmds_text *text, uint64_t type)
 {
 #define ROW(number, text, type, shape) [number] = {text, type, shape},
   static const row rows[] = {CELL_LIST(ROW)};
 #undef ROW
   gmds_id *corners = vtk->stage->corners.data;
   size_t n = vtk->stage->corners.n;
+  if (type == GMDS_VTK_POLYHEDRON)
+    return gmds_stage_cell(vtk->stage, text, GMDS_POLYHEDRON, n, corners);
   if (type >= sizeof rows / sizeof *rows || !rows[type].text)
     return gmds_text_fail(text, GMDS_ERR_UNSUPPORTED, -1, "cells of VTK's type %llu are not read",
                           (unsigned long long)type);
@@ -87,15 +88,22 @@ static gmds_status add_cell(gmds_vtk *vtk, const gmds_text *text, uint64_t type)
   return gmds_stage_cell(vtk->stage, text, r->type == GMDS_POLYGON ? type_of_polygon(n) : r->type, n, corners);
 }
 
-/* Reads n indices into stage->corners. */
-static gmds_status read_corners(gmds_vtk *vtk, gmds_vtk_block *cells, uint64_t n)
+/* Reads n indices into stage->corners, or what a polyhedron has in their place. */
+static gmds_status read_corners(gmds_vtk *vtk, gmds_vtk_block *cells, uint64_t type, uint64_t n)
 {
   if (n > cells->left)
     return gmds_text_fail(&cells->text, GMDS_ERR_FORMAT, -1, "a cell of %llu points, but only %zu indices remain",
                           (unsigned long long)n, cells->left);
   GMDS_TRY(gmds_stage_corners(vtk->stage, &cells->text, (size_t)n));
-  for (size_t k = 0; k < (size_t)n; k++)
-    GMDS_TRY(gmds_vtk_index(cells, vtk->stage->soup.n_points, &vtk->stage->corners.data[k]));
+  for (size_t k = 0; k < (size_t)n; k++) {
+    uint64_t x = 0;
+    if (type != GMDS_VTK_POLYHEDRON) {
+      GMDS_TRY(gmds_vtk_index(cells, vtk->stage->soup.n_points, &vtk->stage->corners.data[k]));
+      continue;
+    }
+    GMDS_TRY(gmds_vtk_whole(cells, "a number of a polyhedron's faces", &x));
+    vtk->stage->corners.data[k] = x < GMDS_NONE ? (gmds_id)x : GMDS_NONE;
+  }
   return GMDS_OK;
 }
 
@@ -169,10 +177,11 @@ static gmds_status add_cells(gmds_vtk *vtk, gmds_vtk_cells *cells, gmds_vtk_bloc
                           (unsigned long long)last);
   for (size_t c = 0; c < cells->n; c++) {
     GMDS_TRY(next_size(cells, &last, &size));
-    GMDS_TRY(read_corners(vtk, &cells->corners, size));
     if (types)
       GMDS_TRY(gmds_vtk_whole(types, "a type of a cell", &type));
-    GMDS_TRY(add_cell(vtk, &cells->corners.text, type));
+    GMDS_TRY(read_corners(vtk, &cells->corners, type, size));
+    GMDS_TRY(gmds_stage_mark(vtk->stage, &cells->corners.text));
+    GMDS_TRY(gmds_vtk_add_cell(vtk, &cells->corners.text, type));
   }
   if (cells->corners.left)
     return gmds_text_fail(&cells->corners.text, GMDS_ERR_FORMAT, -1, "numbers left behind the last cell: %zu",

@@ -27,7 +27,7 @@ gmds_status gmds_vtk_start(gmds_vtk *vtk, gmds_vtk_type type, uint64_t n, const 
     text->binary = 1;
   }
   GMDS_TRY(gmds_text_bound(text, n, vtk->binary ? (size_t)type.bytes : 2, what));
-  *block = (gmds_vtk_block){*text, vtk->binary, type, (size_t)n};
+  *block = (gmds_vtk_block){*text, vtk->binary, type, (size_t)n, 0};
   return GMDS_OK;
 }
 
@@ -110,14 +110,17 @@ static const gmds_text *at_last_word(gmds_vtk_block *block)
   return &block->text;
 }
 
-/* The next big-endian word of the block, its sign extended; there is one, as the block was bounded. */
+/* The next word of the block, its sign extended; there is one, as the block was bounded. */
 static uint64_t next_word(gmds_vtk_block *block)
 {
   int bytes = block->type.bytes;
-  uint64_t x = block->type.kind == GMDS_VTK_SIGNED && (*block->text.at & 0x80) ? UINT64_MAX : 0;
+  const unsigned char *at = (const unsigned char *)block->text.at;
+  uint64_t x = 0;
   for (int k = 0; k < bytes; k++)
-    x = (bytes == 8 && !k ? 0 : x << 8) | (unsigned char)*block->text.at++;
-  return x;
+    x = x << 8 | at[block->little ? bytes - 1 - k : k];
+  block->text.at += bytes;
+  uint64_t sign = (uint64_t)1 << (8 * bytes - 1);
+  return block->type.kind == GMDS_VTK_SIGNED ? (x ^ sign) - sign : x;
 }
 
 static gmds_status take(gmds_vtk_block *block, const char *what)
@@ -171,6 +174,39 @@ static double next_real(gmds_vtk_block *block)
   double x;
   memcpy(&x, &word, sizeof x);
   return x;
+}
+
+gmds_value gmds_vtk_value_type(gmds_vtk_type type)
+{
+  switch (type.kind) {
+  case GMDS_VTK_REAL:
+    return type.bytes == 4 ? GMDS_FLOAT : GMDS_DOUBLE;
+  case GMDS_VTK_SIGNED: /* vtkIdType has 8 bytes in a program, 4 in a BINARY file, and any number as text */
+    return type.bytes == 8 || strcmp(type.name, "vtkidtype") == 0 ? GMDS_LONG : GMDS_INT;
+  case GMDS_VTK_UNSIGNED:
+    if (type.bytes == (int)sizeof(gmds_id))
+      return GMDS_ID;
+    return type.bytes == 1 ? GMDS_BYTE : type.bytes == 2 ? GMDS_INT : GMDS_LONG;
+  default:
+    return GMDS_BYTE;
+  }
+}
+
+gmds_status gmds_vtk_value(gmds_vtk_block *block, gmds_value type, void *at)
+{
+  GMDS_TRY(take(block, "a number"));
+  if (!block->binary)
+    return gmds_text_next_value(&block->text, type, at);
+  if (block->type.kind == GMDS_VTK_REAL) {
+    gmds_value_put_real(type, at, next_real(block));
+    return GMDS_OK;
+  }
+  uint64_t word = next_word(block);
+  int negative = block->type.kind == GMDS_VTK_SIGNED && word >> 63;
+  if (gmds_value_put_whole(type, at, negative, negative ? 0 - word : word))
+    return GMDS_OK;
+  return gmds_text_fail(at_last_word(block), GMDS_ERR_UNSUPPORTED, -1, "the number %s%llu is too large for %s values",
+                        negative ? "-" : "", (unsigned long long)(negative ? 0 - word : word), gmds_value_text(type));
 }
 
 gmds_status gmds_vtk_real(gmds_vtk_block *block, size_t point, double *x)

@@ -1,9 +1,11 @@
-/* Writers of meshes: OFF, VTK legacy (ASCII), Medit. A soup in a plane gets a third coordinate 0 where the format has
- * no plane. */
+/* Writers of meshes as text: OFF and Medit. A soup in a plane gets a third coordinate 0 where the format has no plane. */
 #include "writers.h"
+#include <string.h>
 
-void gmds_write_off(FILE *file, const gmds_soup *soup)
+gmds_status gmds_write_off(const gmds_sink *sink)
 {
+  const gmds_soup *soup = sink->soup;
+  FILE *file = sink->file;
   fprintf(file, "OFF\n%zu %zu 0\n", soup->n_points, soup->n_cells);
   for (size_t p = 0; p < soup->n_points; p++) {
     gmds_put_point(file, soup, p, 3);
@@ -14,41 +16,7 @@ void gmds_write_off(FILE *file, const gmds_soup *soup)
     gmds_put_corners(file, soup, c, 0);
     putc('\n', file);
   }
-}
-
-/* X(type, VTK's number for it) */
-#define VTK_NUMBER_LIST(X) \
-  X(GMDS_VERTEX, 1)        \
-  X(GMDS_SEGMENT, 3)       \
-  X(GMDS_TRIANGLE, 5)      \
-  X(GMDS_QUADRILATERAL, 9) \
-  X(GMDS_POLYGON, 7)       \
-  X(GMDS_TETRAHEDRON, 10)  \
-  X(GMDS_PYRAMID, 14)      \
-  X(GMDS_PRISM, 13)        \
-  X(GMDS_HEXAHEDRON, 12)
-
-void gmds_write_vtk(FILE *file, const gmds_soup *soup)
-{
-#define ROW(type, number) [type] = number,
-  static const int numbers[GMDS_CELL_TYPE_COUNT] = {VTK_NUMBER_LIST(ROW)};
-#undef ROW
-  size_t corners = soup->n_cells ? soup->begin[soup->n_cells] : 0;
-  fprintf(file, "# vtk DataFile Version 3.0\ngmds\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS %zu double\n",
-          soup->n_points);
-  for (size_t p = 0; p < soup->n_points; p++) {
-    gmds_put_point(file, soup, p, 3);
-    putc('\n', file);
-  }
-  fprintf(file, "CELLS %zu %zu\n", soup->n_cells, soup->n_cells + corners);
-  for (size_t c = 0; c < soup->n_cells; c++) {
-    fprintf(file, "%zu", soup->begin[c + 1] - soup->begin[c]);
-    gmds_put_corners(file, soup, c, 0);
-    putc('\n', file);
-  }
-  fprintf(file, "CELL_TYPES %zu\n", soup->n_cells);
-  for (size_t c = 0; c < soup->n_cells; c++)
-    fprintf(file, "%d\n", numbers[soup->types[c]]);
+  return GMDS_OK;
 }
 
 /* X(type, keyword) */
@@ -61,30 +29,44 @@ void gmds_write_vtk(FILE *file, const gmds_soup *soup)
   X(GMDS_PRISM, "Prisms")                 \
   X(GMDS_HEXAHEDRON, "Hexahedra")
 
-static void write_medit_cells(FILE *file, const gmds_soup *soup, gmds_cell_type type, const char *keyword)
+static void write_medit_cells(const gmds_sink *sink, gmds_cell_type type, const char *keyword)
 {
+  const gmds_soup *soup = sink->soup;
+  const gmds_attribute *reference = gmds_soup_find_attribute(soup, GMDS_OF_CELLS, "ref");
+  if (reference && !gmds_medit_holds(soup, GMDS_OF_CELLS, reference))
+    reference = NULL;
   size_t n = 0;
   for (size_t c = 0; c < soup->n_cells; c++)
     n += soup->types[c] == type;
   if (!n)
     return;
-  fprintf(file, "%s\n%zu\n", keyword, n);
+  fprintf(sink->file, "%s\n%zu\n", keyword, n);
   for (size_t c = 0; c < soup->n_cells; c++)
     if (soup->types[c] == type) {
-      gmds_put_corners(file, soup, c, 1);
-      fputs(" 0\n", file);
+      gmds_put_corners(sink->file, soup, c, 1);
+      fprintf(sink->file, " %d\n", gmds_reference(reference, c));
     }
 }
 
-void gmds_write_medit(FILE *file, const gmds_soup *soup)
+gmds_status gmds_write_medit(const gmds_sink *sink)
 {
-  fprintf(file, "MeshVersionFormatted 2\nDimension %d\nVertices\n%zu\n", soup->dim, soup->n_points);
+  const gmds_soup *soup = sink->soup;
+  const gmds_attribute *reference = gmds_soup_find_attribute(soup, GMDS_OF_POINTS, "ref");
+  if (reference && !gmds_medit_holds(soup, GMDS_OF_POINTS, reference))
+    reference = NULL;
+  fprintf(sink->file, "MeshVersionFormatted 2\nDimension %d\nVertices\n%zu\n", soup->dim, soup->n_points);
   for (size_t p = 0; p < soup->n_points; p++) {
-    gmds_put_point(file, soup, p, soup->dim);
-    fputs(" 0\n", file);
+    gmds_put_point(sink->file, soup, p, soup->dim);
+    fprintf(sink->file, " %d\n", gmds_reference(reference, p));
   }
-#define WRITE(type, keyword) write_medit_cells(file, soup, type, keyword);
+#define WRITE(type, keyword) write_medit_cells(sink, type, keyword);
   MEDIT_KEYWORD_LIST(WRITE)
 #undef WRITE
-  fputs("End\n", file);
+  fputs("End\n", sink->file);
+  return GMDS_OK;
+}
+
+int gmds_medit_holds(const gmds_soup *soup, gmds_place place, const gmds_attribute *attribute)
+{
+  return strcmp(attribute->name, "ref") == 0 && gmds_is_reference(soup, place, attribute);
 }

@@ -107,6 +107,12 @@ gmds_attribute *gmds_attribute_find(const gmds_cells *cells, const char *name);
 /* Removes a column of these cells and frees it. */
 void gmds_attribute_remove(gmds_cells *cells, gmds_attribute *attribute);
 
+/* A column that is in no list, its `capacity` rows 0, and its end: for lists of columns beside other things than cells.
+ * Status as gmds_attribute_add. */
+gmds_status gmds_attribute_make(gmds_memory *memory, const char *name, gmds_value type, size_t components,
+                                size_t capacity, gmds_attribute **attribute);
+void gmds_attribute_free(gmds_memory *memory, gmds_attribute *attribute, size_t capacity);
+
 /* The bytes of one value of a type. */
 size_t gmds_value_bytes(gmds_value type);
 const char *gmds_value_text(gmds_value type); /* never NULL */

@@ -13,7 +13,9 @@ extern "C" {
 #define GMDS_FORMAT_LIST(X)                               \
   X(GMDS_FORMAT_OFF, ".off", "OFF")                       \
   X(GMDS_FORMAT_VTK, ".vtk", "VTK legacy")                \
+  X(GMDS_FORMAT_VTU, ".vtu", "VTU")                       \
   X(GMDS_FORMAT_MEDIT, ".mesh", "Medit")                  \
+  X(GMDS_FORMAT_GMSH, ".msh", "Gmsh")                     \
   X(GMDS_FORMAT_NODE, ".node", "Triangle points")         \
   X(GMDS_FORMAT_F64, ".f64", "raw little-endian doubles") \
   X(GMDS_FORMAT_TEXT, ".txt", "points as text")
@@ -40,11 +42,30 @@ gmds_status gmds_read_soup(const char *path, int dim, gmds_error *error, gmds_so
 gmds_status gmds_read_soup_from_memory(gmds_format format, const char *name, const void *bytes, size_t n, int dim,
                                        gmds_error *error, gmds_soup *soup);
 
+/* How a file is written, where its format leaves a choice. Zero-initialised: as is usual for the format. */
+typedef enum gmds_encoding { GMDS_ENCODING_USUAL, GMDS_ENCODING_TEXT, GMDS_ENCODING_BINARY } gmds_encoding;
+
+typedef struct gmds_write_options {
+  gmds_encoding encoding; /* VTK legacy and Gmsh: text unless asked; VTU: base64 unless asked; others have no choice */
+  int version;            /* ten times the format's: VTK legacy 30 or 51, Gmsh 41 or 22; 0: the first of these (Gmsh:
+                             the second where cells of one geometrical tag have several physical ones) */
+} gmds_write_options;
+
 /* Writes a mesh file, its format taken from the extension, under a temporary name in the same folder first: on failure
  * nothing stays under `path` that was not there before. A symbolic link is replaced by the file.
- * GMDS_OK; GMDS_ERR_OPEN, _WRITE, _UNSUPPORTED (a cell that the format cannot hold), _COORDINATE (NaN or infinity,
- * which no reader takes), _MEMORY. Medit lists cells by type, so their order may change; every other order is kept. */
+ *   options   may be NULL
+ * GMDS_OK; GMDS_ERR_OPEN, _WRITE, _UNSUPPORTED (a cell that the format cannot hold; an encoding or version in which it
+ * is not written), _COORDINATE (NaN or infinity, which no reader takes), _MEMORY. Medit lists cells by type, so their
+ * order may change; every other order is kept. An attribute is left out where gmds_format_holds says 0. */
 gmds_status gmds_write_soup(const char *path, const gmds_soup *soup, gmds_error *error);
+gmds_status gmds_write_soup_as(const char *path, const gmds_soup *soup, const gmds_write_options *options,
+                               gmds_error *error);
+
+/* Whether a file of this format has a place for an attribute of the soup: VTK legacy and VTU for every one (VTU: whose
+ * name is UTF-8 without control characters); Medit for the reference numbers of points and cells, one int "ref"; Gmsh
+ * for the tags of cells, one int "physical" and one "geometrical", and for what has 1, 3 or 9 components that a double
+ * holds; others for none. O(points or cells). */
+int gmds_format_holds(gmds_format format, const gmds_soup *soup, gmds_place place, const gmds_attribute *attribute);
 
 /* The points that SPEC stands for: `random:N:SEED`, `grid:N` (N points a side), `circle:N` (N points about a circle,
  * rounded to doubles), `clusters:N:SEED`, or the points of a file of any format. dim: 2 or 3. Coordinates are drawn as

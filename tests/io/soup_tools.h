@@ -73,6 +73,63 @@ static inline void assert_same_soup(const gmds_soup *a, const gmds_soup *b)
   }
 }
 
+/* A value of a column as a double. */
+static inline double attribute_value(const gmds_attribute *a, size_t k)
+{
+#define ROW(name, ctype, text) \
+  if (a->type == name)         \
+    return (double)((const ctype *)a->data)[k];
+  GMDS_VALUE_LIST(ROW)
+#undef ROW
+  return 0;
+}
+
+/* The attributes of a short soup as one line of text: place, name, type, values. */
+static inline const char *attributes_text(const gmds_soup *soup)
+{
+  static char text[4096];
+  size_t at = 0;
+  for (int place = 0; place < GMDS_PLACE_COUNT; place++)
+    for (const gmds_attribute *a = soup->attributes[place]; a; a = a->next) {
+      size_t n = (place == GMDS_OF_POINTS ? soup->n_points : soup->n_cells) * a->components;
+      at += (size_t)snprintf(text + at, sizeof text - at, "%s %s %s:", place == GMDS_OF_POINTS ? "points" : "cells",
+                             a->name, gmds_value_text(a->type));
+      for (size_t k = 0; k < n; k++)
+        at +=
+            (size_t)snprintf(text + at, sizeof text - at, "%s%g", k % a->components ? "," : " ", attribute_value(a, k));
+      at += (size_t)snprintf(text + at, sizeof text - at, "; ");
+    }
+  text[at] = 0;
+  return text;
+}
+
+/* Every attribute of `a` that a format holds is in `b`: in VTK's formats it is the same bit for bit, in Gmsh's the same
+ * numbers. */
+static inline void assert_same_attributes(gmds_format format, const gmds_soup *a, const gmds_soup *b)
+{
+  int exact = format == GMDS_FORMAT_VTK || format == GMDS_FORMAT_VTU;
+  for (int place = 0; place < GMDS_PLACE_COUNT; place++)
+    for (const gmds_attribute *x = a->attributes[place]; x; x = x->next) {
+      size_t rows = place == GMDS_OF_POINTS ? a->n_points : a->n_cells;
+      const gmds_attribute *y = gmds_soup_find_attribute(b, (gmds_place)place, x->name);
+      if (!gmds_format_holds(format, a, (gmds_place)place, x))
+        continue;
+      if (!y && format == GMDS_FORMAT_MEDIT && rows == 0)
+        continue;
+      ck_assert_msg(y != NULL, "the attribute '%s' is lost", x->name);
+      ck_assert_uint_eq(x->components, y->components);
+      if (exact) {
+        ck_assert_int_eq(x->type, y->type);
+        ck_assert(!rows || memcmp(x->data, y->data, rows * x->bytes) == 0);
+      }
+      for (size_t k = 0; k < rows * x->components; k++) {
+        double u = attribute_value(x, k), v = attribute_value(y, k);
+        if (u != v && (u == u || v == v)) /* an assertion for each value would take most of the time */
+          ck_abort_msg("%s: %.17g is not %.17g", x->name, v, u);
+      }
+    }
+}
+
 /* A new empty folder, and a file name in it; both live until the next call. */
 static inline const char *fresh_folder(void)
 {

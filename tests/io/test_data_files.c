@@ -1,4 +1,5 @@
-/* Real files of the data folder: as many points and cells as its own census says. */
+/* Real files of the data folder: as many points and cells as its own census says, and those of volumes go through every
+ * format that holds them. */
 #include "soup_tools.h"
 
 /* X(file, points, vertices, edges, faces, volumes) */
@@ -30,7 +31,9 @@
   X("volumes/gmds_tet_in_box.vtk", 29, 0, 0, 0, 61)                         \
   X("volumes/hexsmoothing_mixedElementMesh.vtk.xz", 1201, 0, 0, 883, 1628)  \
   X("volumes/libigl_hand.mesh.xz", 7234, 0, 0, 9556, 29998)                 \
+  X("volumes/mfem_homology.asc.v22.msh.xz", 1961, 0, 707, 6106, 7392)       \
   X("volumes/mmg_naca.mesh.xz", 15102, 0, 102, 30100, 0)                    \
+  X("volumes/polyfem_microstructure_P1.msh.xz", 1585, 0, 0, 0, 6414)        \
   X("malformed/trimesh_comments_valid.off", 8, 0, 0, 6, 0)                  \
   X("points/cgal_cube8.xyz", 8, 0, 0, 0, 0)                                 \
   X("points/cgal_kitten.xyz.xz", 5210, 0, 0, 0, 0)                          \
@@ -103,6 +106,84 @@ START_TEST(real_files_have_the_counts_of_their_census)
 }
 END_TEST
 
+/* X(file name, encoding, version) */
+#define FORMAT_LIST(X)   \
+  X("b.vtk", TEXT, 30)   \
+  X("b.vtk", BINARY, 30) \
+  X("b.vtk", TEXT, 51)   \
+  X("b.vtk", BINARY, 51) \
+  X("b.vtu", TEXT, 0)    \
+  X("b.vtu", BINARY, 0)  \
+  X("b.mesh", USUAL, 0)  \
+  X("b.msh", TEXT, 41)   \
+  X("b.msh", BINARY, 41) \
+  X("b.msh", TEXT, 22)   \
+  X("b.msh", BINARY, 22)
+
+/* Writes the soup and reads it back; the cells of Medit come by type. */
+static void go_through(const char *path, const gmds_soup *soup, const gmds_write_options *options)
+{
+  held *h = held_new(2);
+  gmds_format format;
+  size_t count[2][4];
+  ck_assert_int_eq(gmds_format_of_path(path, NULL, &format), GMDS_OK);
+  gmds_status status = gmds_write_soup_as(path, soup, options, &h->error);
+  if (status == GMDS_ERR_UNSUPPORTED &&
+      (format == GMDS_FORMAT_MEDIT ? strstr(h->error.text, "vertex") : strstr(h->error.text, "4.1 has one"))) {
+    held_free(h);
+    return;
+  }
+  ck_assert_msg(status == GMDS_OK, "%s", h->error.text);
+  if (GMDS_HAVE_EXPAT || format != GMDS_FORMAT_VTU) {
+    ck_assert_msg(gmds_read_soup(path, soup->dim, &h->error, &h->soup) == GMDS_OK, "%s", h->error.text);
+    gmds_soup_count(soup, count[0]);
+    gmds_soup_count(&h->soup, count[1]);
+    ck_assert_mem_eq(count[0], count[1], sizeof count[0]);
+    if (format != GMDS_FORMAT_MEDIT) {
+      assert_same_soup(soup, &h->soup);
+      assert_same_attributes(format, soup, &h->soup);
+    }
+    ck_assert_mem_eq(soup->points, h->soup.points, soup->n_points * (size_t)soup->dim * sizeof *soup->points);
+  }
+  unlink(path);
+  held_free(h);
+}
+
+START_TEST(real_volumes_go_through_every_format)
+{
+  static const char *const files[] = {
+#define ROW(file, ...) file,
+      MESH_LIST(ROW)
+#undef ROW
+  };
+  static const struct {
+    const char *name;
+    gmds_write_options options;
+  } formats[] = {
+#define ROW(name, encoding, version) {name, {GMDS_ENCODING_##encoding, version}},
+      FORMAT_LIST(ROW)
+#undef ROW
+  };
+  const char *data = data_folder("real volumes through every format");
+  if (!data)
+    return;
+  const char *folder = fresh_folder();
+  for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+    if (strncmp(files[i], "volumes/", 8) != 0)
+      continue;
+    held *h = held_new(2);
+    const char *path = unpacked(folder, data, files[i]);
+    ck_assert_msg(gmds_read_soup(path, 0, &h->error, &h->soup) == GMDS_OK, "%s", h->error.text);
+    if (strncmp(path, data, strlen(data)))
+      unlink(path);
+    for (size_t k = 0; k < sizeof formats / sizeof *formats; k++)
+      go_through(path_in(folder, formats[k].name), &h->soup, &formats[k].options);
+    held_free(h);
+  }
+  rmdir(folder);
+}
+END_TEST
+
 START_TEST(malformed_files_and_those_of_other_programs_are_refused)
 {
   static const char *const files[] = {"malformed/assimp_ant-half_truncated.ply",
@@ -122,6 +203,7 @@ START_TEST(malformed_files_and_those_of_other_programs_are_refused)
     snprintf(path, sizeof path, "%s/%s", data, files[i]);
     ck_assert_int_ne(gmds_read_soup(path, 0, &h->error, &h->soup), GMDS_OK);
     ck_assert_msg(strstr(h->error.text, strrchr(files[i], '/')) != NULL, "%s", h->error.text);
+    ck_assert(!strstr(files[i], "mfem") || strstr(h->error.text, "MFEM"));
     ck_assert_uint_eq(h->memory.live, 0);
     held_free(h);
   }
@@ -156,5 +238,5 @@ START_TEST(a_file_under_a_wrong_extension_does_no_harm)
 }
 END_TEST
 
-RUN_SUITE("data files", real_files_have_the_counts_of_their_census,
+RUN_SUITE("data files", real_files_have_the_counts_of_their_census, real_volumes_go_through_every_format,
           malformed_files_and_those_of_other_programs_are_refused, a_file_under_a_wrong_extension_does_no_harm)

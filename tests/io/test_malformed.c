@@ -12,6 +12,9 @@ static const struct {
 #define ROW(format, status, bytes, sentence) \
   {GMDS_FORMAT_##format, GMDS_ERR_##status, bytes, sizeof(bytes) - 1, sentence},
     MALFORMED_LIST(ROW)
+#if GMDS_HAVE_EXPAT
+        MALFORMED_VTU_LIST(ROW)
+#endif
 #undef ROW
 };
 

@@ -38,14 +38,24 @@ static size_t mutate(char *bytes, size_t n, size_t room, uint64_t *seed)
 
 static void check_soup(const gmds_soup *soup)
 {
+  gmds_ids points;
+  volatile double sum = 0;
+  gmds_ids_init(&points, soup->memory);
   ck_assert(soup->dim == 2 || soup->dim == 3);
   for (size_t i = 0; i < soup->n_points * (size_t)soup->dim; i++)
     ck_assert(isfinite(soup->points[i]));
   for (size_t c = 0; c < soup->n_cells; c++) {
     ck_assert_uint_lt(soup->types[c], GMDS_CELL_TYPE_COUNT);
-    for (size_t k = soup->begin[c]; k < soup->begin[c + 1]; k++)
-      ck_assert_uint_lt(soup->corners[k], soup->n_points);
+    ck_assert_int_eq(gmds_soup_cell_points(soup, c, &points), GMDS_OK);
+    for (size_t k = 0; k < points.n; k++)
+      ck_assert_uint_lt(points.data[k], soup->n_points);
   }
+  gmds_ids_clear(&points);
+  for (int place = 0; place < GMDS_PLACE_COUNT; place++)
+    for (const gmds_attribute *a = soup->attributes[place]; a; a = a->next)
+      for (size_t k = 0; k < a->components * (place ? soup->n_cells : soup->n_points); k++)
+        sum += attribute_value(a, k);
+  (void)sum; /* every value was there to be read */
 }
 
 START_TEST(changed_files_give_a_valid_soup_or_an_error)

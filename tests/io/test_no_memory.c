@@ -18,6 +18,7 @@ static gmds_status read_with(const sample *s, const char *path, long k)
     ck_assert_int_eq(error.status, GMDS_ERR_MEMORY);
     ck_assert_ptr_nonnull(strstr(error.text, path ? path : s->text));
     ck_assert(soup.n_points == 0 && soup.n_cells == 0 && soup.dim == 2 && !soup.points && !soup.corners);
+    ck_assert(!soup.attributes[GMDS_OF_POINTS] && !soup.attributes[GMDS_OF_CELLS]);
     ck_assert_uint_eq(f.live, 0);
   }
   gmds_soup_clear(&soup);

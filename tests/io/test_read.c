@@ -84,12 +84,66 @@ START_TEST(binary_vtk_files_become_their_soups)
 {
   for (size_t i = 0; i < N_SAMPLES; i++) {
     sample s = sample_at(i);
-    if (!strstr(s.text, "binary"))
+    if (!strstr(s.text, "binary") || s.format != GMDS_FORMAT_VTK)
       continue;
     held *h = held_new(2);
     ck_assert_msg(read_bytes(h, s.format, s.bytes, s.n, 0) == GMDS_OK, "%s: %s", s.text, h->error.text);
     ck_assert_str_eq(soup_text(&h->soup), CUBE_POINTS "tetrahedron 0 1 2 4; hexahedron 0 1 3 2 4 5 7 6; ");
     held_free(h);
+  }
+}
+END_TEST
+
+/* X(sample, its soup, its attributes) */
+#define FIVE "0,0,0 1,0,0 0,1,0 0,0,1 1,1,1 "
+#define BOTH "tetrahedron 0 1 2 3; polyhedron 4 3 0 2 1 3 0 1 3 3 0 3 2 3 1 2 3; triangle 4 2 1; "
+#define VTU_ATTRIBUTES "points t float: 1.5 2.5 3.5 4.5 nan; cells ids int: 7 -8 9; "
+#define GMSH_CELLS "vertex 4; triangle 0 1 2; tetrahedron 0 1 2 3; tetrahedron 4 3 2 1; "
+#define CORNER "0,0,0 1,0,0 0,1,0 0,0,1 tetrahedron 0 1 2 3; triangle 0 1 2; "
+#define WHOLE_LIST(X)                                                                                                  \
+  X("VTK polyhedron", FIVE "polyhedron 4 3 0 2 1 3 0 1 3 3 0 3 2 3 1 2 3; tetrahedron 0 1 2 4; ",                      \
+    "cells a b byte: 1,2 255,0; cells c float: 0.5 1; cells t double: 1,2,3,4,5,6,7,8,9 9,8,7,6,5,4,3,2,inf; ")        \
+  X("VTU", FIVE BOTH, VTU_ATTRIBUTES)                                                                                  \
+  X("VTU base64", FIVE BOTH, VTU_ATTRIBUTES)                                                                           \
+  X("VTU compressed", FIVE BOTH, VTU_ATTRIBUTES)                                                                       \
+  X("VTU appended", FIVE BOTH, VTU_ATTRIBUTES)                                                                         \
+  X("VTU raw", "0,0 1,0 0,1 triangle 0 1 2; ", "points t int: 10 255 32768; ")                                         \
+  X("Gmsh 2.2", FIVE GMSH_CELLS,                                                                                       \
+    "points a view double: nan 0 1.5 0 0; cells geometrical int: 1 1 2 2; cells physical int: 0 -5 7 7; "              \
+    "cells v double: 0,0,0 0,0,0 1,2,3 1,2,3; cells v 3 double: 0 4 0 0; ")                                            \
+  X("Gmsh 4.1", FIVE GMSH_CELLS,                                                                                       \
+    "cells geometrical int: 1 1 2 2; cells physical int: 0 -5 7 7; cells v double: 0,0,0 0,0,0 0,0,0 1,2,3; ")         \
+  X("Gmsh 2.2 of words", CORNER, "cells physical int: 11 0; cells geometrical int: 3 3; ")                             \
+  X("Gmsh 4.1 of words", CORNER,                                                                                       \
+    "points t double: 0 0.5 1 1.5; cells physical int: 11 0; cells geometrical int: 3 3; ")                            \
+  X("Medit",                                                                                                           \
+    FIVE_AND "edge 0 1; triangle 0 1 2; quadrilateral 0 1 4 3; tetrahedron 0 1 2 3; pyramid 0 1 4 3 2; prism 0 1 2 3 " \
+             "4 5; ",                                                                                                  \
+    "points ref int: 1 1 1 1 1 1; cells ref int: 7 7 0 0 0 0; ")
+#define FIVE_AND "0,0,0 1,0,0 0,1,0 0,0,1 1,0,1 0,1,1 "
+
+START_TEST(samples_become_their_soups_with_attributes)
+{
+#define ROW(text, soup, attributes) {text, soup, attributes},
+  static const struct {
+    const char *text, *soup, *attributes;
+  } whole[] = {WHOLE_LIST(ROW)};
+#undef ROW
+  for (size_t k = 0; k < sizeof whole / sizeof *whole; k++) {
+    size_t found = 0;
+    for (size_t i = 0; i < N_SAMPLES; i++) {
+      sample s = sample_at(i);
+      if (strcmp(s.text, whole[k].text) != 0)
+        continue;
+      found++;
+      held *h = held_new(2);
+      ck_assert_msg(read_bytes(h, s.format, s.bytes, s.n, 0) == GMDS_OK, "%s: %s", s.text, h->error.text);
+      ck_assert_msg(!strcmp(soup_text(&h->soup), whole[k].soup), "%s: %s", s.text, soup_text(&h->soup));
+      ck_assert_msg(!strcmp(attributes_text(&h->soup), whole[k].attributes), "%s: %s", s.text,
+                    attributes_text(&h->soup));
+      held_free(h);
+    }
+    ck_assert(found || !strncmp(whole[k].text, "VTU", 3)); /* which needs a library to be read */
   }
 }
 END_TEST
@@ -178,7 +232,8 @@ START_TEST(formats_go_by_extension_in_any_case)
 }
 END_TEST
 
-RUN_SUITE("reading", valid_files_become_their_soups, binary_vtk_files_become_their_soups, every_sample_is_valid,
+RUN_SUITE("reading", valid_files_become_their_soups, binary_vtk_files_become_their_soups,
+          samples_become_their_soups_with_attributes, every_sample_is_valid,
           cells_with_a_repeated_corner_are_left_out_and_counted, a_plane_is_asked_for_of_points_in_space,
           volumes_stay_in_space, a_soup_that_is_not_empty_and_other_dimensions_are_refused,
           formats_go_by_extension_in_any_case)

@@ -7,6 +7,21 @@
 #define BAD_POLYDATA "# vtk DataFile Version 2.0\nt\nASCII\nDATASET POLYDATA\n"
 #define BAD_BINARY "# vtk DataFile Version 2.0\nt\nBINARY\nDATASET UNSTRUCTURED_GRID\n"
 #define BAD_TRIANGLE "POINTS 3 int\n0 0 0 1 0 0 0 1 0\n"
+#define BAD_MSH "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+#define BAD_MSH_4 "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
+#define BAD_MSH_WORDS "$MeshFormat\n4.1 1 8\n\1\0\0\0\n$EndMeshFormat\n"
+#define BAD_MSH_NODES BAD_MSH "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n"
+#define BAD_MSH_4_NODES BAD_MSH_4 "$Nodes\n1 3 1 3\n2 1 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n$EndNodes\n"
+#define BAD_VTU "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\">\n<UnstructuredGrid>"
+#define BAD_VTU_PIECE(points, cells) BAD_VTU "<Piece NumberOfPoints=\"" points "\" NumberOfCells=\"" cells "\">\n"
+#define BAD_VTU_POINTS(content) \
+  "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" " content "</DataArray></Points>\n"
+#define BAD_VTU_END "</Piece></UnstructuredGrid></VTKFile>\n"
+#define BAD_VTU_TRIANGLE BAD_VTU_PIECE("3", "1") BAD_VTU_POINTS("format=\"ascii\">0 0 0 1 0 0 0 1 0")
+#define BAD_VTU_CELLS(connectivity, offsets, types)                                       \
+  "<Cells><DataArray type=\"Int32\" Name=\"connectivity\">" connectivity "</DataArray>\n" \
+  "<DataArray type=\"Int32\" Name=\"offsets\">" offsets "</DataArray>\n"                  \
+  "<DataArray type=\"Int32\" Name=\"types\">" types "</DataArray></Cells>\n"
 #define BAD_MEDIT "MeshVersionFormatted 1\nDimension 2\n"
 #define BAD_MEDIT_TRIANGLE BAD_MEDIT "Vertices 3\n0 0 1\n1 0 1\n0 1 1\n"
 
@@ -77,7 +92,11 @@
   X(MEDIT, UNSUPPORTED, "MeshVersionFormatted 9\n", "name:1: expected a version from 1 to 4, found 9")                 \
   X(MEDIT, UNSUPPORTED, "MeshVersionFormatted 1\nDimension 4\n", "name:2: expected the dimension, 2 or 3, found 4")    \
   X(MEDIT, FORMAT, BAD_MEDIT, "name:3: expected a keyword or End, found the end of the file")                          \
-  X(MEDIT, FORMAT, BAD_MEDIT "Points 1\n", "name:3: expected a keyword of Medit, found 'Points'")                      \
+  X(MEDIT, FORMAT, BAD_MEDIT "Points 1\n", "name:3: Points: 0 numbers are not 1 rows")                                 \
+  X(MEDIT, FORMAT, BAD_MEDIT "Points 2\n1 2 3\nEnd\n", "name:4: Points: 3 numbers are not 2 rows")                     \
+  X(MEDIT, FORMAT, BAD_MEDIT "Points 2\n1 2 ?\nEnd\n", "name:4: expected a number, found '?'")                         \
+  X(MEDIT, FORMAT, BAD_MEDIT "12 Points\n", "name:3: expected a keyword of Medit, found '12'")                         \
+  X(MEDIT, UNSUPPORTED, BAD_MEDIT "TrianglesP2 1\n", "name:3: TrianglesP2: only cells of the first order are read")    \
   X(MEDIT, FORMAT, BAD_MEDIT "Vertices 4000000000\n0 0 0\n",                                                           \
     "name:3: 4000000000 Vertices are declared, but only 7 bytes remain")                                               \
   X(MEDIT, FORMAT, BAD_MEDIT "Vertices 1\n0 0 0 0 0 End\n", "name:4: expected the end of the line, found '0'")         \
@@ -149,10 +168,12 @@
   X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "LINES 1 2\n1 0\n", "name:8: a poly-line has at least 2 points, found 1")   \
   X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "SCALARS s int\n", "name:7: expected a section of VTK, found 'SCALARS'")    \
   X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "POINT_DATA 3\nSCALARS s int\nLOOKUP_TABLE default\n1 2\n",                 \
-    "name:11: expected a number, found the end of the file")                                                           \
+    "name:11: expected a whole number, found the end of the file")                                                     \
   X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "POINT_DATA 18446744073709551615\nVECTORS s int\n1 2\n",                    \
+    "name:7: expected the attributes of 3 points, found those of 18446744073709551615")                                \
+  X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "FIELD f 1\na 3 18446744073709551615 int\n1 2\n",                           \
     "name:8: 18446744073709551615 tuples of 3 numbers are more than a file holds")                                     \
-  X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "POINT_DATA 2\nSCALARS s int\n1 2\n",                                       \
+  X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "POINT_DATA 3\nSCALARS s int\n1 2\n",                                       \
     "name:9: expected LOOKUP_TABLE, found '1'")                                                                        \
   X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "FIELD f 1\na 1 2 int\n1 b\n", "name:9: expected a number, found 'b'")      \
   X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "FIELD f 2\na 1 1 int\n1\n",                                                \
@@ -168,5 +189,100 @@
   X(VTK, FORMAT,                                                                                                       \
     BAD_BINARY "POINTS 1 float\n\0\0\0\0\0\0\0\0\0\0\0\0\nCELLS 1 2\n\0\0\0\x01\0\0\0\x01\n"                           \
                "CELL_TYPES 1\n\0\0\0\x01\n",                                                                           \
-    "name: byte 104: expected an index below 1, found 1")
+    "name: byte 104: expected an index below 1, found 1")                                                              \
+  X(VTK, FORMAT, BAD_VTK BAD_TRIANGLE "CELLS 1 3\n2 1 0\nCELL_TYPES 1\n42\n",                                          \
+    "name:8: expected a polyhedron of 4 faces or more, each of 3 points or more")                                      \
+  X(VTK, FORMAT, BAD_VTK BAD_TRIANGLE "CELLS 1 18\n17 4 3 0 2 1 3 0 1 3 3 0 3 2 3 1 2 3\nCELL_TYPES 1\n42\n",          \
+    "name:8: a polyhedron with an index beyond the 3 points")                                                          \
+  X(VTK, FORMAT,                                                                                                       \
+    BAD_POLYDATA BAD_TRIANGLE                                                                                          \
+    "POINT_DATA 3\nSCALARS s int\nLOOKUP_TABLE t\n1 2 3\nSCALARS s int\nLOOKUP_TABLE t\n1 2 3\n",                      \
+    "name:12: the attribute 's' of points is there a second time")                                                     \
+  X(VTK, FORMAT, BAD_POLYDATA BAD_TRIANGLE "POINT_DATA 3\nSCALARS s unsigned_char\nLOOKUP_TABLE t\n1 2 256\n",         \
+    "name:10: expected a whole number that its type holds, found '256'")                                               \
+  X(VTK, UNSUPPORTED, BAD_POLYDATA BAD_TRIANGLE "POLYGONS 0 0\nLINES 0 0\n",                                           \
+    "name:8: LINES behind POLYGONS: only the usual order is read")                                                     \
+  X(GMSH, FORMAT, "", "name:1: expected $MeshFormat, found the end of the file")                                       \
+  X(GMSH, UNSUPPORTED, "$MeshFormat\n4.0 0 8\n", "name:2: version 4: only 2.2 and 4.1 are read")                       \
+  X(GMSH, UNSUPPORTED, "$MeshFormat\n4.1 0 4\n", "name:2: expected 0 or 1 and a size of 8, found 0 and 4")             \
+  X(GMSH, FORMAT, "$MeshFormat\n4.1 1 8\n\1\1\1\1\n", "name: byte 20: expected the number 1 as an int")                \
+  X(GMSH, FORMAT, BAD_MSH, "name:4: expected $Nodes, found the end of the file")                                       \
+  X(GMSH, FORMAT, BAD_MSH "Nodes\n", "name:4: expected a section of MSH, found 'Nodes'")                               \
+  X(GMSH, FORMAT, BAD_MSH "$Other\n$EndNodes\n", "name:4: the section $Other has no end")                              \
+  X(GMSH, FORMAT, BAD_MSH "$Nodes\n100\n1 0 0 0\n", "name:5: 100 nodes are declared, but only 9 bytes remain")         \
+  X(GMSH, FORMAT, BAD_MSH "$Nodes\n1\n1 0 x 0\n", "name:6: expected a coordinate, found 'x'")                          \
+  X(GMSH, COORDINATE, BAD_MSH "$Nodes\n1\n1 0 inf 0\n",                                                                \
+    "name:6: a coordinate of point 0 (from 0) is not a finite number: 'inf'")                                          \
+  X(GMSH, FORMAT, BAD_MSH "$Nodes\n2\n1 0 0 0\n1 0 0 0\n$EndNodes\n", "name:7: two nodes have the number 1")           \
+  X(GMSH, FORMAT, BAD_MSH "$Nodes\n1\n1 0 0 0\n2 0 0 0\n$EndNodes\n", "name:7: expected $EndNodes, found '2'")         \
+  X(GMSH, FORMAT, BAD_MSH_NODES "$Nodes\n0\n$EndNodes\n", "name:10: $Nodes are listed a second time")                  \
+  X(GMSH, FORMAT, BAD_MSH_NODES "$Elements\n1\n1 2 2 0 0 1 2 4\n", "name:12: no node has the number 4")                \
+  X(GMSH, FORMAT, BAD_MSH_NODES "$Elements\n1\n1 2 2 0 0 1 2\n",                                                       \
+    "name:13: expected the number of a node, found the end of the file")                                               \
+  X(GMSH, UNSUPPORTED, BAD_MSH_NODES "$Elements\n1\n1 9 2 0 0 1 2 3 1 2 3\n",                                          \
+    "name:12: second-order triangles (Gmsh's type 9): only the first order is read")                                   \
+  X(GMSH, UNSUPPORTED, BAD_MSH_NODES "$Elements\n1\n1 99 2 0 0 1 2 3\n",                                               \
+    "name:12: elements of Gmsh's type 99 are not read")                                                                \
+  X(GMSH, FORMAT, BAD_MSH_NODES "$Elements\n1\n1 2 900 0 0 1 2 3\n",                                                   \
+    "name:12: 900 tags are declared, but only 11 bytes remain")                                                        \
+  X(GMSH, FORMAT, BAD_MSH_NODES "$NodeData\n1\n\"a\"\n0\n2\n0\n1\n",                                                   \
+    "name:16: expected a time step, components and a number of rows")                                                  \
+  X(GMSH, FORMAT, BAD_MSH_NODES "$NodeData\n1\n\"a\"\n0\n3\n0\n1\n1\n7 0.5\n", "name:18: no node has the number 7")    \
+  X(GMSH, FORMAT, BAD_MSH_NODES "$NodeData\n1\n\"a\"\n0\n3\n0\n1\n1000\n7 0.5\n",                                      \
+    "name:17: 1000 rows are declared, but only 7 bytes remain")                                                        \
+  X(GMSH, FORMAT, BAD_MSH_4 "$Nodes\n1 2 1 2\n2 1 0 3\n1 2 3\n0 0 0 0 0 0 0 0 0\n",                                    \
+    "name:6: a block of 3 nodes, but only 2 are left")                                                                 \
+  X(GMSH, FORMAT, BAD_MSH_4 "$Nodes\n0 1 1 1\n$EndNodes\n", "name:5: 1 nodes are missing")                             \
+  X(GMSH, FORMAT, BAD_MSH_4_NODES "$Elements\n1 1 1 1\n2 1 2 2\n1 1 2 3\n",                                            \
+    "name:16: a block of 2 elements, but only 1 are left")                                                             \
+  X(GMSH, FORMAT, BAD_MSH_4 "$Entities\n0 0 0 4000\n1 0 0 0\n",                                                        \
+    "name:5: 4000 entities are declared, but only 9 bytes remain")                                                     \
+  X(GMSH, FORMAT, BAD_MSH_WORDS "$Nodes\n\1\0\0",                                                                      \
+    "name: byte 47: expected a number of blocks, found the end of the file")
+
+/* X(format, status, bytes, sentence): these need Expat. */
+#define MALFORMED_VTU_LIST(X)                                                                                          \
+  X(VTU, FORMAT, "", "name:1: this is not XML: no element found")                                                      \
+  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\">\n<x></VTKFile>", "name:2: this is not XML: mismatched tag")      \
+  X(VTU, FORMAT, "<vtk/>", "name:1: expected VTKFile, found 'vtk'")                                                    \
+  X(VTU, UNSUPPORTED, "<VTKFile type=\"PolyData\"/>", "name:1: type PolyData: only UnstructuredGrid is read")          \
+  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\" byte_order=\"Middle\"/>",                                         \
+    "name:1: expected LittleEndian or BigEndian, found 'Middle'")                                                      \
+  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\" header_type=\"UInt8\"/>",                                         \
+    "name:1: expected UInt32 or UInt64, found 'UInt8'")                                                                \
+  X(VTU, UNSUPPORTED, "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkLZ4DataCompressor\"/>",                      \
+    "name:1: vtkLZ4DataCompressor: only vtkZLibDataCompressor is read")                                                \
+  X(VTU, FORMAT, BAD_VTU_PIECE("x", "1") BAD_VTU_END, "name:2: expected NumberOfPoints, found 'x'")                    \
+  X(VTU, FORMAT, BAD_VTU_PIECE("3", "0") BAD_VTU_END, "name:2: the piece has no array of Points")                      \
+  X(VTU, FORMAT, BAD_VTU_PIECE("900", "0") BAD_VTU_POINTS("format=\"ascii\">0 0 0") BAD_VTU_END,                       \
+    "name:3: 2700 numbers are declared, but only 5 bytes remain")                                                      \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"ascii\">0 0 0 0") BAD_VTU_END,                       \
+    "name:3: expected the end of the array, found '0'")                                                                \
+  X(VTU, COORDINATE, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"ascii\">\n0 nan 0") BAD_VTU_END,                 \
+    "name:4: a coordinate of point 0 (from 0) is not a finite number: 'nan'")                                          \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"odd\">0 0 0") BAD_VTU_END,                           \
+    "name:3: expected ascii, binary or appended, found 'odd'")                                                         \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">DAAAAAAAAAAAAAAAAAAA") BAD_VTU_END,         \
+    "name:3: the array ends before its numbers do, or is not base64")                                                  \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">CAAAAAAAAAAAAAAA") BAD_VTU_END,             \
+    "name:3: expected 3 numbers of 4 bytes, found 8 bytes")                                                            \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">DAAAAAA*AAAAAAAAAAAA") BAD_VTU_END,         \
+    "name:3: the array ends before its numbers do, or is not base64")                                                  \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"appended\" offset=\"5\">") BAD_VTU_END,              \
+    "name:3: the array is appended at 5, where there is nothing")                                                      \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 3", "3", "5") BAD_VTU_END,                                        \
+    "name:4: expected an index from 0 to 2, found '3'")                                                                \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "900", "5") BAD_VTU_END,                                      \
+    "name:4: 900 numbers are declared, but only 5 bytes remain")                                                       \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "-1", "5") BAD_VTU_END,                                       \
+    "name:5: expected an offset, found -1")                                                                            \
+  X(VTU, UNSUPPORTED, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "3", "22") BAD_VTU_END,                                  \
+    "name:4: cells of VTK's type 22 are not read")                                                                     \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "3", "42") BAD_VTU_END, "name:6: a polyhedron without faces") \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_END, "name:2: the piece has no array of offsets")                            \
+  X(VTU, FORMAT,                                                                                                       \
+    BAD_VTU_TRIANGLE BAD_VTU_CELLS(                                                                                    \
+        "0 1 2", "3",                                                                                                  \
+        "5") "<CellData><DataArray type=\"Int8\" Name=\"a\">3000000000</DataArray></CellData>" BAD_VTU_END,            \
+    "name:7: expected a whole number that its type holds, found '3000000000'")
 #endif

@@ -1,0 +1,17 @@
+# What the library can do without. VTU alone needs other libraries; without them it is written, and refused by a sentence
+# where it is read.
+option(GMDS_WITH_EXPAT "Read VTU where Expat is found" ON)
+option(GMDS_WITH_ZLIB "Read compressed VTU where zlib is found" ON)
+foreach(name EXPAT ZLIB)
+  set(GMDS_HAVE_${name} 0)
+  if(GMDS_WITH_${name})
+    find_package(${name})
+  endif()
+  if(GMDS_WITH_${name} AND ${name}_FOUND)
+    set(GMDS_HAVE_${name} 1)
+    target_link_libraries(gmds PRIVATE ${name}::${name})
+  endif()
+  target_compile_definitions(gmds PRIVATE GMDS_HAVE_${name}=${GMDS_HAVE_${name}})
+endforeach()
+gmds_report("Expat" "${GMDS_HAVE_EXPAT}" "reading VTU")
+gmds_report("zlib" "${GMDS_HAVE_ZLIB}" "reading compressed VTU")
