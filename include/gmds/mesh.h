@@ -30,7 +30,9 @@
 #  include <gmds/cells.h>
 #  include <gmds/census.h>
 #  include <gmds/check.h>
+#  include <gmds/check_volume.h>
 #  include <gmds/checksum.h>
+#  include <gmds/complex.h>
 #  include <gmds/edges.h>
 #  include <gmds/hops.h>
 #  include <gmds/ids.h>
@@ -42,6 +44,7 @@
 #  include <gmds/soup.h>
 #  include <gmds/template.h>
 #  include <gmds/topology.h>
+#  include <gmds/volume.h>
 #  include <string.h>
 
 #  ifndef GMDS_BACKEND
@@ -68,8 +71,8 @@
 #    include <gmds/models/volume/shape.h>
 #    include <gmds/models/volume/star.h>
 #    include <gmds/models/volume/compact.h>
-#    include <gmds/models/volume/exchange.h>
 #    include <gmds/models/volume/convert.h>
+#    include <gmds/models/volume/exchange.h>
 #    include <gmds/models/volume/check.h>
 #  else
 #    include <gmds/models/incidence/names.h>

@@ -145,6 +145,23 @@ static gmds_status GMDS_FN(do_compact)(void *m, gmds_id *maps[4])
   return compact(m, maps);
 }
 
+static gmds_status GMDS_FN(do_check)(const void *m, gmds_memory *memory, gmds_error *error)
+{
+  return check(m, memory, error);
+}
+
+static gmds_status GMDS_FN(do_set_volume)(void *m, gmds_volume *volume, gmds_error *error)
+{
+  return set_volume(m, volume, error);
+}
+
+#if GMDS_LISTS_CELLS
+static gmds_status GMDS_FN(do_get_volume)(const void *m, gmds_volume *volume, gmds_error *error)
+{
+  return get_volume(m, volume, error);
+}
+#endif
+
 #if GMDS_CAN(3, 0)
 static gmds_status GMDS_FN(do_checksum)(const void *m, gmds_memory *memory, uint64_t *sum)
 {
@@ -202,6 +219,11 @@ const volume_model GMDS_FN(table) = {
     .do_remove_node = GMDS_FN(do_remove_node),
     .do_trim = GMDS_FN(do_trim),
     .do_compact = GMDS_FN(do_compact),
+    .do_check = GMDS_FN(do_check),
+    .do_set_volume = GMDS_FN(do_set_volume),
+#if GMDS_LISTS_CELLS
+    .do_get_volume = GMDS_FN(do_get_volume),
+#endif
 #if GMDS_CAN(3, 0)
     .do_checksum = GMDS_FN(do_checksum),
 #endif

@@ -7,6 +7,7 @@
 #include <gmds/hops.h>
 #include <gmds/soup.h>
 #include <gmds/topology.h>
+#include <gmds/volume.h>
 
 typedef struct volume_model {
   const char *name;
@@ -37,6 +38,8 @@ typedef struct volume_model {
   gmds_status (*do_trim)(void *m);
   gmds_status (*do_compact)(void *m, gmds_id *maps[4]);
   gmds_status (*do_check)(const void *m, gmds_memory *memory, gmds_error *error);
+  gmds_status (*do_get_volume)(const void *m, gmds_volume *volume, gmds_error *error); /* NULL where nodes are not told */
+  gmds_status (*do_set_volume)(void *m, gmds_volume *volume, gmds_error *error);
   gmds_status (*do_checksum)(const void *m, gmds_memory *memory, uint64_t *sum);
 } volume_model;
 

@@ -1,0 +1,452 @@
+/* From soups to volumes, and back. */
+#include <gmds/volume.h>
+#include <string.h>
+
+/* ---- from a soup */
+
+/* Which cell of a volume each cell of the soup is: its number among those of its dimension. */
+typedef struct taking {
+  gmds_volume *volume;
+  const gmds_soup *soup;
+  gmds_id *cell; /* GMDS_NONE: the same as one before it */
+  size_t count[4];
+} taking;
+
+static int dimension(const gmds_soup *soup, size_t c)
+{
+  return gmds_cell_type_dimension((gmds_cell_type)soup->types[c]);
+}
+
+static gmds_status take_points(taking *t)
+{
+  const gmds_soup *soup = t->soup;
+  gmds_volume *volume = t->volume;
+  void *points = NULL;
+  GMDS_TRY(gmds_cells_resize(&volume->cells[0], soup->n_points));
+  if (!gmds_resize(volume->memory, &points, 0, soup->n_points, 3 * sizeof(double)))
+    return GMDS_ERR_MEMORY;
+  volume->points = points;
+  (void)gmds_cells_take_many(&volume->cells[0], soup->n_points);
+  for (size_t v = 0; v < soup->n_points; v++)
+    for (int k = 0; k < 3; k++)
+      volume->points[3 * v + (size_t)k] = k < soup->dim ? soup->points[v * (size_t)soup->dim + (size_t)k] : 0;
+  return GMDS_OK;
+}
+
+static gmds_status check_distinct(const gmds_soup *soup, gmds_ids *list, gmds_error *error)
+{
+  for (size_t c = 0; c < soup->n_cells; c++) {
+    if (soup->types[c] == GMDS_POLYHEDRON) {
+      const gmds_id *at = soup->corners + soup->begin[c];
+      for (gmds_id faces = *at++; faces > 0; faces--) {
+        const size_t n = *at++;
+        for (size_t i = 0; i < n; i++)
+          for (size_t k = 0; k < i; k++)
+            if (at[i] == at[k])
+              return gmds_fail(error, GMDS_ERR_ARGUMENT, "cell %zu (polyhedron): a face has point %lu twice", c,
+                               (unsigned long)at[i]);
+        at += n;
+      }
+      continue;
+    }
+    const size_t n = soup->begin[c + 1] - soup->begin[c];
+    list->n = 0;
+    GMDS_TRY(gmds_ids_reserve(list, n));
+    memcpy(list->data, soup->corners + soup->begin[c], n * sizeof *list->data);
+    list->n = n;
+    gmds_ids_keep(list, 0, 2, GMDS_NONE);
+    if (list->n)
+      return gmds_fail(error, GMDS_ERR_ARGUMENT, "cell %zu (%s) has point %lu twice", c,
+                       gmds_cell_type_text((gmds_cell_type)soup->types[c]), (unsigned long)list->data[0]);
+  }
+  return GMDS_OK;
+}
+
+/* How many faces the polyhedra of the soup have, and how many entries these. */
+static void count_polyhedra(const gmds_soup *soup, size_t *faces, size_t *entries)
+{
+  *faces = *entries = 0;
+  for (size_t c = 0; c < soup->n_cells; c++)
+    if (soup->types[c] == GMDS_POLYHEDRON) {
+      const gmds_id n = soup->corners[soup->begin[c]];
+      *faces += n;
+      *entries += soup->begin[c + 1] - soup->begin[c] - 1 - n;
+    }
+}
+
+/* Lists the nodes of all cells, those with the same nodes too: faces first those of the soup, then those of its
+ * polyhedra. */
+static gmds_status list_all(taking *t)
+{
+  const gmds_soup *soup = t->soup;
+  gmds_complex *x = &t->volume->complex;
+  size_t more_faces = 0, more_entries = 0;
+  gmds_ids list = {.memory = t->volume->memory};
+  void *types = NULL;
+  count_polyhedra(soup, &more_faces, &more_entries);
+  for (size_t c = 0; c < soup->n_cells; c++)
+    t->cell[c] = (gmds_id)t->count[dimension(soup, c)]++;
+  if (!gmds_resize(x->memory, &types, 0, t->count[3], 1))
+    return GMDS_ERR_MEMORY;
+  x->types = types;
+  x->types_capacity = t->count[3];
+  for (int i = 1; i < 4; i++)
+    GMDS_TRY(gmds_csr_begin(&x->nodes[i], t->count[i] + (i == 2 ? more_faces : 0)));
+  if (more_faces)
+    GMDS_TRY(gmds_csr_begin(&x->walls, t->count[3]));
+  gmds_status status = GMDS_OK;
+  for (int pass = 0; pass < 2 && status == GMDS_OK; pass++) {
+    size_t face = t->count[2];
+    for (size_t c = 0; c < soup->n_cells && status == GMDS_OK; c++) {
+      const int i = dimension(soup, c);
+      const size_t k = t->cell[c];
+      const gmds_id *at = soup->corners + soup->begin[c];
+      size_t n = soup->begin[c + 1] - soup->begin[c];
+      if (i == 0)
+        continue;
+      if (i == 3)
+        x->types[k] = soup->types[c];
+      if (soup->types[c] == GMDS_POLYHEDRON) {
+        const gmds_id faces = *at;
+        list.n = 0;
+        if (pass == 0)
+          x->walls.begin[k + 1] = faces;
+        at++;
+        for (gmds_id f = 0; f < faces && status == GMDS_OK; f++) {
+          const size_t sides = *at++;
+          if (pass == 0)
+            x->nodes[2].begin[face + 1] = sides;
+          else {
+            x->walls.data[x->walls.begin[k] + f] = (gmds_id)face;
+            memcpy(x->nodes[2].data + x->nodes[2].begin[face], at, sides * sizeof *at);
+          }
+          face++;
+          for (size_t q = 0; q < sides && status == GMDS_OK; q++)
+            status = gmds_ids_push(&list, at[q]);
+          at += sides;
+        }
+        gmds_ids_keep(&list, 0, 1, GMDS_NONE);
+        at = list.data;
+        n = list.n;
+      }
+      if (pass == 0)
+        x->nodes[i].begin[k + 1] = n;
+      else if (status == GMDS_OK)
+        memcpy(x->nodes[i].data + x->nodes[i].begin[k], at, n * sizeof *at);
+    }
+    for (int i = 1; i < 4 && pass == 0 && status == GMDS_OK; i++)
+      status = gmds_csr_finish(&x->nodes[i]);
+    if (pass == 0 && more_faces && status == GMDS_OK)
+      status = gmds_csr_finish(&x->walls);
+  }
+  gmds_ids_clear(&list);
+  return status;
+}
+
+/* Leaves out the edges and faces that are the same as one before them; map[k] is the new number of each. */
+static gmds_status drop_same(gmds_complex *x, int i, const gmds_id *first_of, gmds_id *map)
+{
+  gmds_csr *nodes = &x->nodes[i];
+  size_t kept = 0, used = 0;
+  for (size_t k = 0; k < nodes->n; k++) {
+    const size_t begin = nodes->begin[k], n = nodes->begin[k + 1] - begin;
+    map[k] = first_of[k] == k ? (gmds_id)kept : map[first_of[k]];
+    if (first_of[k] != k)
+      continue;
+    memmove(nodes->data + used, nodes->data + begin, n * sizeof *nodes->data);
+    nodes->begin[kept++] = used;
+    used += n;
+  }
+  void *begin = nodes->begin, *data = nodes->data;
+  nodes->begin[kept] = used;
+  (void)gmds_resize(x->memory, &begin, nodes->n + 1, kept + 1, sizeof *nodes->begin);
+  (void)gmds_resize(x->memory, &data, nodes->capacity, used, sizeof *nodes->data);
+  nodes->begin = begin;
+  nodes->data = data;
+  nodes->capacity = used;
+  nodes->n = kept;
+  return GMDS_OK;
+}
+
+/* The edge or face of the complex that each row of the i-cells is. */
+static gmds_id same_as(const gmds_complex *x, int i, size_t k)
+{
+  if (i == 1)
+    return x->edge_of[x->sides.edges[x->rows.begin[k]]];
+  return x->face_of[x->group[k]];
+}
+
+static gmds_status merge_cells(taking *t, gmds_error *error)
+{
+  gmds_complex *x = &t->volume->complex;
+  const gmds_soup *soup = t->soup;
+  GMDS_TRY(gmds_complex_join(x, error));
+  const size_t n[3] = {0, x->nodes[1].n, x->nodes[2].n};
+  gmds_id *first[3] = {NULL, NULL, NULL}, *map[3] = {NULL, NULL, NULL};
+  gmds_status status = GMDS_OK;
+  int any = 0;
+  for (int i = 1; i < 3 && status == GMDS_OK; i++) {
+    void *a = NULL, *b = NULL;
+    if (!gmds_resize(x->memory, &a, 0, n[i], sizeof(gmds_id)) || !gmds_resize(x->memory, &b, 0, n[i], sizeof(gmds_id)))
+      status = GMDS_ERR_MEMORY;
+    first[i] = a;
+    map[i] = b;
+    for (size_t k = 0; k < n[i] && status == GMDS_OK; k++) {
+      first[i][k] = same_as(x, i, k);
+      any |= first[i][k] != k;
+    }
+  }
+  if (status == GMDS_OK && any) {
+    gmds_complex_part(x);
+    for (int i = 1; i < 3; i++)
+      (void)drop_same(x, i, first[i], map[i]);
+    for (size_t k = 0; x->walls.begin && k < x->walls.begin[x->walls.n]; k++)
+      x->walls.data[k] = map[2][x->walls.data[k]];
+    for (size_t c = 0; c < soup->n_cells; c++) {
+      const int i = dimension(soup, c);
+      if (i == 1 || i == 2)
+        t->cell[c] = first[i][t->cell[c]] == t->cell[c] ? map[i][t->cell[c]] : GMDS_NONE;
+    }
+    status = gmds_complex_join(x, error);
+  }
+  for (int i = 1; i < 3; i++) {
+    gmds_release(x->memory, first[i], first[i] ? n[i] : 0, sizeof(gmds_id));
+    gmds_release(x->memory, map[i], map[i] ? n[i] : 0, sizeof(gmds_id));
+  }
+  return status;
+}
+
+/* The i-cells of the volume, with the attributes that the soup has of its cells, and which of them it listed. */
+static gmds_status take_cells(taking *t, int i)
+{
+  const gmds_soup *soup = t->soup;
+  gmds_cells *cells = &t->volume->cells[i];
+  gmds_attribute *listed = NULL;
+  if (i) {
+    GMDS_TRY(gmds_cells_resize(cells, t->volume->complex.nodes[i].n));
+    (void)gmds_cells_take_many(cells, t->volume->complex.nodes[i].n);
+  }
+  if (!t->count[i])
+    return GMDS_OK;
+  if (i < 3)
+    GMDS_TRY(gmds_attribute_add(cells, GMDS_LISTED, GMDS_BYTE, 1, &listed));
+  for (size_t c = 0; c < soup->n_cells && listed; c++)
+    if (dimension(soup, c) == i && t->cell[c] != GMDS_NONE)
+      ((uint8_t *)listed->data)[i ? t->cell[c] : soup->corners[soup->begin[c]]] = 1;
+  for (const gmds_attribute *a = soup->attributes[GMDS_OF_CELLS]; a; a = a->next) {
+    gmds_attribute *own = NULL;
+    gmds_status status = gmds_attribute_add(cells, a->name, a->type, a->components, &own);
+    if (status == GMDS_ERR_CONFLICT) /* points have one of this name: vertices leave theirs out */
+      continue;
+    GMDS_TRY(status);
+    for (size_t c = 0; c < soup->n_cells; c++)
+      if (dimension(soup, c) == i && t->cell[c] != GMDS_NONE)
+        memcpy((char *)own->data + (i ? t->cell[c] : soup->corners[soup->begin[c]]) * a->bytes,
+               (const char *)a->data + c * a->bytes, a->bytes);
+  }
+  return GMDS_OK;
+}
+
+static gmds_status take_point_attributes(taking *t)
+{
+  for (const gmds_attribute *a = t->soup->attributes[GMDS_OF_POINTS]; a; a = a->next) {
+    gmds_attribute *own = NULL;
+    GMDS_TRY(gmds_attribute_add(&t->volume->cells[0], a->name, a->type, a->components, &own));
+    if (t->soup->n_points)
+      memcpy(own->data, a->data, t->soup->n_points * a->bytes);
+  }
+  return GMDS_OK;
+}
+
+gmds_status gmds_volume_from_soup(gmds_volume *volume, const gmds_soup *soup, gmds_error *error)
+{
+  taking t = {.volume = volume, .soup = soup};
+  gmds_ids list = {.memory = volume->memory};
+  void *block = NULL;
+  gmds_error first = {.status = GMDS_OK};
+  gmds_status status = check_distinct(soup, &list, &first);
+  gmds_ids_clear(&list);
+  if (status == GMDS_OK && !gmds_resize(volume->memory, &block, 0, soup->n_cells, sizeof(gmds_id)))
+    status = GMDS_ERR_MEMORY;
+  t.cell = block;
+  volume->complex.n_nodes = soup->n_points;
+  if (status == GMDS_OK)
+    status = take_points(&t);
+  if (status == GMDS_OK)
+    status = list_all(&t);
+  if (status == GMDS_OK)
+    status = merge_cells(&t, &first);
+  if (status == GMDS_OK)
+    status = take_point_attributes(&t);
+  for (int i = 0; i < 4 && status == GMDS_OK; i++)
+    status = take_cells(&t, i);
+  gmds_release(volume->memory, block, block ? soup->n_cells : 0, sizeof(gmds_id));
+  if (status != GMDS_OK) {
+    gmds_volume_clear(volume);
+    if (first.status == GMDS_OK)
+      gmds_fail(&first, status, "a mesh of %zu points and %zu cells: %s", soup->n_points, soup->n_cells,
+                gmds_status_text(status));
+    if (error)
+      *error = first;
+  }
+  return status;
+}
+
+/* ---- to a soup */
+
+/* Which edges and faces bound something. */
+static gmds_status mark_bounds(const gmds_complex *x, gmds_bits bounds[3])
+{
+  const size_t edges = x->nodes[1].n, faces = x->nodes[2].n;
+  GMDS_TRY(gmds_bits_init(&bounds[1], x->memory, edges));
+  GMDS_TRY(gmds_bits_init(&bounds[2], x->memory, faces));
+  for (size_t k = edges; k < x->rows.n; k++)
+    for (size_t q = x->rows.begin[k]; q < x->rows.begin[k + 1]; q++)
+      if (x->edge_of[x->sides.edges[q]] != GMDS_NONE)
+        gmds_bits_set(&bounds[1], x->edge_of[x->sides.edges[q]]);
+  for (size_t k = edges + faces; k < x->rows.n; k++)
+    if (x->face_of[x->group[k - edges]] != GMDS_NONE)
+      gmds_bits_set(&bounds[2], x->face_of[x->group[k - edges]]);
+  return GMDS_OK;
+}
+
+typedef struct giving {
+  const gmds_volume *volume;
+  gmds_soup *soup;
+  gmds_id *number; /* of each node, without holes */
+  gmds_bits bounds[3];
+  gmds_ids list;
+} giving;
+
+static int is_written(const giving *g, int i, size_t c)
+{
+  const gmds_cells *cells = &g->volume->cells[i];
+  if (!gmds_bits_get(&cells->alive, c))
+    return 0;
+  const gmds_attribute *listed = i < 3 ? gmds_attribute_find(cells, GMDS_LISTED) : NULL;
+  if (listed && listed->type == GMDS_BYTE && listed->components == 1)
+    return ((const uint8_t *)listed->data)[c] != 0;
+  return i == 3 || (i > 0 && !gmds_bits_get(&g->bounds[i], c));
+}
+
+static gmds_cell_type type_of(const gmds_complex *x, int i, size_t c, size_t n)
+{
+  if (i == 3)
+    return (gmds_cell_type)x->types[c];
+  if (i == 2)
+    return n == 3 ? GMDS_TRIANGLE : n == 4 ? GMDS_QUADRILATERAL : GMDS_POLYGON;
+  return i == 1 ? GMDS_SEGMENT : GMDS_VERTEX;
+}
+
+static gmds_status put_cell(giving *g, int i, size_t c)
+{
+  const gmds_complex *x = &g->volume->complex;
+  const gmds_csr *nodes = &x->nodes[i];
+  gmds_id vertex = (gmds_id)c;
+  const gmds_id *own = i ? nodes->data + nodes->begin[c] : &vertex;
+  const size_t n = i ? nodes->begin[c + 1] - nodes->begin[c] : 1;
+  g->list.n = 0;
+  if (i == 3 && x->types[c] == GMDS_POLYHEDRON) {
+    const size_t faces = x->walls.begin[c + 1] - x->walls.begin[c];
+    GMDS_TRY(gmds_ids_push(&g->list, (gmds_id)faces));
+    for (size_t k = 0; k < faces; k++) {
+      const gmds_id f = x->walls.data[x->walls.begin[c] + k];
+      GMDS_TRY(gmds_ids_push(&g->list, (gmds_id)(x->nodes[2].begin[f + 1] - x->nodes[2].begin[f])));
+      for (size_t q = x->nodes[2].begin[f]; q < x->nodes[2].begin[f + 1]; q++)
+        GMDS_TRY(gmds_ids_push(&g->list, g->number[x->nodes[2].data[q]]));
+    }
+  } else
+    for (size_t k = 0; k < n; k++)
+      GMDS_TRY(gmds_ids_push(&g->list, g->number[own[k]]));
+  return gmds_soup_add_cell(g->soup, type_of(x, i, c, n), g->list.n, g->list.data);
+}
+
+static gmds_status put_cells(giving *g)
+{
+  const gmds_cells *nodes = &g->volume->cells[0];
+  gmds_id fresh = 0;
+  for (gmds_id v = gmds_cells_next(nodes, 0); v != GMDS_NONE; v = gmds_cells_next(nodes, v + 1)) {
+    g->number[v] = fresh++;
+    GMDS_TRY(gmds_soup_add_point(g->soup, g->volume->points + 3 * (size_t)v));
+  }
+  for (int i = 0; i < 4; i++) {
+    if (i == 0 && !gmds_attribute_find(nodes, GMDS_LISTED))
+      continue;
+    for (size_t c = 0; c < g->volume->cells[i].end; c++)
+      if (is_written(g, i, c))
+        GMDS_TRY(put_cell(g, i, c));
+  }
+  return GMDS_OK;
+}
+
+/* The attribute of the i-cells in the soup, found or made; *given, whether it is to be written. */
+static gmds_status find_column(giving *g, int i, const gmds_attribute *a, gmds_attribute **column, gmds_error *error)
+{
+  const gmds_place place = i ? GMDS_OF_CELLS : GMDS_OF_POINTS;
+  *column = gmds_soup_find_attribute(g->soup, place, a->name);
+  if (!*column)
+    return gmds_soup_add_attribute(g->soup, place, a->name, a->type, a->components, column);
+  if ((*column)->type == a->type && (*column)->components == a->components)
+    return GMDS_OK;
+  return gmds_fail(error, GMDS_ERR_CONFLICT, "attribute '%s' has another type on cells of dimension %d", a->name, i);
+}
+
+static gmds_status put_attributes(giving *g, gmds_error *error)
+{
+  size_t before = 0; /* cells of lower dimension */
+  for (int i = 0; i < 4; i++) {
+    const gmds_cells *cells = &g->volume->cells[i];
+    size_t written = 0;
+    for (const gmds_attribute *a = cells->attributes; a; a = a->next) {
+      gmds_attribute *column = NULL;
+      if (i < 3 && !strcmp(a->name, GMDS_LISTED))
+        continue;
+      GMDS_TRY(find_column(g, i, a, &column, error));
+      size_t at = before;
+      for (size_t c = 0; c < cells->end; c++)
+        if (i ? is_written(g, i, c) : gmds_bits_get(&cells->alive, c))
+          memcpy((char *)column->data + (i ? at++ : g->number[c]) * a->bytes, (const char *)a->data + c * a->bytes,
+                 a->bytes);
+    }
+    if (i || gmds_attribute_find(cells, GMDS_LISTED))
+      for (size_t c = 0; c < cells->end; c++)
+        written += (size_t)is_written(g, i, c);
+    before += written;
+  }
+  return GMDS_OK;
+}
+
+gmds_status gmds_volume_to_soup(gmds_volume *volume, gmds_soup *soup, gmds_error *error)
+{
+  gmds_soup result;
+  giving g = {.volume = volume, .soup = &result, .list = {.memory = soup->memory}};
+  void *number = NULL;
+  gmds_error first = {.status = GMDS_OK};
+  gmds_soup_init(&result, soup->memory, 3);
+  gmds_status status = volume->complex.rows.begin ? GMDS_OK : gmds_complex_join(&volume->complex, &first);
+  if (status == GMDS_OK)
+    status = mark_bounds(&volume->complex, g.bounds);
+  if (status == GMDS_OK && !gmds_resize(soup->memory, &number, 0, volume->cells[0].end, sizeof(gmds_id)))
+    status = GMDS_ERR_MEMORY;
+  g.number = number;
+  if (status == GMDS_OK)
+    status = put_cells(&g);
+  if (status == GMDS_OK)
+    status = put_attributes(&g, &first);
+  gmds_release(soup->memory, number, number ? volume->cells[0].end : 0, sizeof(gmds_id));
+  gmds_ids_clear(&g.list);
+  for (int i = 1; i < 3; i++)
+    if (g.bounds[i].memory)
+      gmds_bits_clear(&g.bounds[i]);
+  if (status == GMDS_OK) {
+    gmds_soup_clear(soup);
+    *soup = result;
+    return status;
+  }
+  gmds_soup_clear(&result);
+  if (first.status == GMDS_OK)
+    gmds_fail(&first, status, "writing a mesh of volumes into a soup: %s", gmds_status_text(status));
+  if (error)
+    *error = first;
+  return status;
+}

@@ -1,0 +1,50 @@
+/* A mesh of volumes without its model: points, cells with their attributes, and the nodes of every cell. Meshes of
+ * different models are converted through it (<prefix>_get_volume and <prefix>_set_volume, models/volume/interface.h), soups
+ * become meshes, and meshes soups. */
+#ifndef GMDS_VOLUME_H
+#define GMDS_VOLUME_H
+
+#include <gmds/cells.h>
+#include <gmds/complex.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Owned by the caller. */
+typedef struct gmds_volume {
+  gmds_memory *memory; /* where everything comes from; outlives the volume */
+  gmds_cells cells[4]; /* which are alive, and their attributes */
+  double *points;      /* 3 a node, cells[0].capacity of them */
+  gmds_complex complex;
+} gmds_volume;
+
+/* Holds nothing. Allocates nothing. */
+void gmds_volume_init(gmds_volume *volume, gmds_memory *memory);
+void gmds_volume_clear(gmds_volume *volume);
+
+/* Makes `to`, which has neither cells nor attributes, the same as `from`: identifiers, holes and attributes, with room for
+ * as many cells as `from` has below its end. GMDS_OK; GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (it may have attributes). */
+gmds_status gmds_cells_copy(const gmds_cells *from, gmds_cells *to);
+
+/* The attribute of bytes by which a mesh remembers which of its nodes, edges and faces a soup listed as cells, when it was
+ * made from one: 1 for those. Where it is there the others are not written back. */
+#define GMDS_LISTED "listed"
+
+/* Fills a volume that holds nothing with the points and cells of a soup: vertices, segments, faces and regions, each once
+ * (of cells with the same nodes the first counts). Attributes of points become those of nodes, attributes of cells those of
+ * every dimension of which the soup has cells. A soup of two coordinates gets a third, 0.
+ * GMDS_OK; GMDS_ERR_ARGUMENT (a cell has a node twice; `error` names it), GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY. O(soup). */
+gmds_status gmds_volume_from_soup(gmds_volume *volume, const gmds_soup *soup, gmds_error *error);
+
+/* The reverse, into a soup that is initialised for three coordinates and empty: nodes, then the cells of each dimension in
+ * their order, from 0 up. Nodes that are no listed vertices are points alone; edges and faces are written where they are
+ * listed, or, where nothing is, when they bound nothing. The complex is joined.
+ * GMDS_OK; GMDS_ERR_CONFLICT (attributes of one name and different types; `error` names it), GMDS_ERR_MEMORY,
+ * GMDS_ERR_TOO_MANY. The soup stays empty after a failure. O(volume). */
+gmds_status gmds_volume_to_soup(gmds_volume *volume, gmds_soup *soup, gmds_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
