@@ -182,7 +182,7 @@ static inline int gmds_orient3d_filter(const double a[3], const double b[3], con
   return gmds_orient3d_bounded(a, b, c, d, GMDS_ORIENT3D_BOUND);
 }
 
-/* By the cheap bound alone: what that leaves undecided is so rare that the exact stages begin with the tight one. */
+/* By the cheap bound alone: the tight one, of what that leaves undecided, is among the exact stages. */
 static inline int gmds_insphere_filter(const double a[3], const double b[3], const double c[3], const double d[3],
                                        const double e[3])
 {
