@@ -4,9 +4,9 @@
  *
  *     handwritten_delaunay3 SPEC        points as `gmds delaunay` takes them; prints the same keys as its --json
  *
- * A tetrahedron has its nodes in the order of VTK, 3 above the counter-clockwise triangle 0, 1, 2, and its faces too, each
- * counter-clockwise from outside. An insertion has three parts: a walk to a tetrahedron whose sphere holds the point; the
- * cavity, all such tetrahedra, breadth first; its star, one tetrahedron a face of the cavity's boundary. */
+ * A tetrahedron has its nodes in the order of VTK, 3 above the counter-clockwise triangle 0, 1, 2, and its faces too,
+ * each counter-clockwise from outside. An insertion has three parts: a walk to a tetrahedron whose sphere holds the
+ * point; the cavity, all such tetrahedra, breadth first; its star, one tetrahedron a face of the cavity's boundary. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include <gmds/checksum.h>
 #include <gmds/io.h>
@@ -16,13 +16,15 @@
 #include <string.h>
 #include <time.h>
 
-/* A face of the boundary of a cavity, x, y, z counter-clockwise from outside. */
-typedef struct side {
+/* A tetrahedron of a cavity as it was. */
+typedef struct former {
+  gmds_id node[4], neighbour[4];
+} former;
+
+/* The nodes of a face of a cavity's boundary as numbered within it. */
+typedef struct corners {
   gmds_id x, y, z;
-  gmds_id beyond;     /* 4 * tetrahedron + face on the other side */
-  gmds_id lx, ly, lz; /* the nodes as numbered within the boundary */
-  gmds_id id;         /* of the tetrahedron that joins the face to the new node */
-} side;
+} corners;
 
 typedef struct triangulation {
   gmds_memory memory;
@@ -36,8 +38,11 @@ typedef struct triangulation {
   gmds_id last; /* the tetrahedron from which the next walk begins */
   /* scratch space for a cavity */
   size_t capacity;
-  gmds_id *cavity, *tested, *faces;
-  side *sides;
+  gmds_id *ids; /* of the cavity, then of the star */
+  gmds_id *tested;
+  gmds_id *sides; /* 4 * place in the cavity + face, for each face of its boundary */
+  former *cavity;
+  corners *corner;
   size_t spares, spares_room; /* identifiers that are free */
   gmds_id *spare;
   size_t edges; /* entries of `edge`, which finds the tetrahedron on a directed edge of the boundary */
@@ -62,17 +67,21 @@ static int resize_ids(triangulation *t, gmds_id **ids, size_t had, size_t n)
   return done;
 }
 
+/* Room for a cavity of n. What is counted by faces, of which a cavity of n has at most 2 n + 2 in its boundary and
+ * tests at most 4 n tetrahedra, has four times as much. */
 static int reserve_cavity(triangulation *t, size_t n)
 {
   if (n <= t->capacity)
     return 1;
   size_t had = t->capacity, grown = gmds_grown(had, n);
-  void *sides = t->sides;
-  if (!resize_ids(t, &t->cavity, had, grown) || !resize_ids(t, &t->tested, 4 * had, 4 * grown) ||
-      !resize_ids(t, &t->faces, 4 * had, 4 * grown) ||
-      !gmds_resize(&t->memory, &sides, 4 * had, 4 * grown, sizeof(side)))
+  void *cavity = t->cavity, *corner = t->corner;
+  if (!resize_ids(t, &t->ids, 4 * had, 4 * grown) || !resize_ids(t, &t->tested, 4 * had, 4 * grown) ||
+      !resize_ids(t, &t->sides, 4 * had, 4 * grown) || !gmds_resize(&t->memory, &cavity, had, grown, sizeof(former)))
     return 0;
-  t->sides = sides;
+  t->cavity = cavity;
+  if (!gmds_resize(&t->memory, &corner, 4 * had, 4 * grown, sizeof(corners)))
+    return 0;
+  t->corner = corner;
   t->capacity = grown;
   return 1;
 }
@@ -120,7 +129,7 @@ static gmds_id locate(const triangulation *t, const double p[3])
     gmds_id next = t->neighbour[4 * (size_t)at + k];
     at = next >> 2;
     from = next & 3;
-    if (has_ghost(t, at))
+    if (t->node[4 * (size_t)at + opposite[from]] == t->ghost)
       return at;
   }
 }
@@ -161,42 +170,38 @@ static unsigned in_conflict(const triangulation *t, gmds_id first, gmds_id secon
   return inside;
 }
 
-/* Fills t->cavity from the one at its start; the value is how many there are, 0 without memory. Each tetrahedron is tested
- * once, two at a time, and appended without a branch. */
+/* Fills t->ids and t->cavity from the one at their start; the value is how many there are, 0 without memory. Each
+ * tetrahedron is tested once, two at a time, and appended without a branch. */
 static size_t find_cavity(triangulation *t, gmds_id start, gmds_id v)
 {
   const double *p = point_of(t, v);
   const gmds_id outside = 2 * v, inside = 2 * v + 1;
   size_t n = 1, n_tested = 0, done = 0;
-  t->cavity[0] = start;
+  t->ids[0] = start;
   t->mark[start] = inside;
   for (size_t i = 0; i < n; i++) {
     if (!reserve_cavity(t, n + 8))
       return 0;
-    const gmds_id *around = t->neighbour + 4 * (size_t)t->cavity[i];
+    former *f = &t->cavity[i];
+    memcpy(f->node, t->node + 4 * (size_t)t->ids[i], sizeof f->node);
+    memcpy(f->neighbour, t->neighbour + 4 * (size_t)t->ids[i], sizeof f->neighbour);
     for (int k = 0; k < 4; k++) {
-      gmds_id next = around[k] >> 2, mark = t->mark[next];
+      gmds_id next = f->neighbour[k] >> 2, mark = t->mark[next];
       t->tested[n_tested] = next;
       n_tested += mark < outside;
       t->mark[next] = mark < outside ? outside : mark;
     }
-    while (done + 2 <= n_tested) {
-      gmds_id first = t->tested[done], second = t->tested[done + 1];
-      unsigned in = in_conflict(t, first, second, p);
-      done += 2;
-      t->cavity[n] = first;
-      n += in & 1;
-      t->mark[first] = outside + (in & 1);
-      t->cavity[n] = second;
+    /* One that is left over waits for another as long as there can be one; then it is tested beside itself. */
+    while (done + 2 <= n_tested || (i + 1 == n && done < n_tested)) {
+      gmds_id first = t->tested[done], second = t->tested[done + 1 < n_tested ? done + 1 : done];
+      unsigned in = in_conflict(t, first, second, p) & (1 + 2 * (done + 1 < n_tested));
+      t->ids[n] = second;
       n += in >> 1;
       t->mark[second] = outside + (in >> 1);
-    }
-    if (i + 1 == n && done < n_tested) {
-      gmds_id first = t->tested[done++];
-      unsigned in = in_conflict(t, first, first, p) & 1;
-      t->cavity[n] = first;
-      n += in;
-      t->mark[first] = outside + in;
+      t->ids[n] = first;
+      n += in & 1;
+      t->mark[first] = outside + (in & 1);
+      done = done + 2 < n_tested ? done + 2 : n_tested;
     }
   }
   return n;
@@ -204,70 +209,52 @@ static size_t find_cavity(triangulation *t, gmds_id start, gmds_id v)
 
 /* ---- the star */
 
+/* The number of a node within the boundary at work, the next one if it has none. */
+static gmds_id number(gmds_id *local, gmds_id v, gmds_id base, gmds_id *count)
+{
+  gmds_id had = local[v], next = base + *count, is_new = had < base, l = had ^ ((had ^ next) & (0 - is_new));
+  local[v] = l;
+  *count += is_new;
+  return l - base;
+}
+
 /* The faces of the cavity's n tetrahedra whose other side is outside, as t->sides; the value is how many. */
 static size_t find_sides(triangulation *t, size_t n, gmds_id v)
 {
-  const gmds_id inside = 2 * v + 1;
+  const gmds_id inside = 2 * v + 1, *mark = t->mark;
+  const former *cavity = t->cavity;
+  gmds_id *sides = t->sides;
   size_t n_sides = 0;
-  for (size_t i = 0; i < n; i++) {
-    gmds_id id = t->cavity[i];
-    const gmds_id *around = t->neighbour + 4 * (size_t)id;
-    for (gmds_id k = 0; k < 4; k++) {
-      t->faces[n_sides] = 4 * id + k;
-      n_sides += t->mark[around[k] >> 2] != inside;
+  for (size_t i = 0; i < n; i++)
+    for (size_t k = 0; k < 4; k++) {
+      sides[n_sides] = (gmds_id)(4 * i + k);
+      n_sides += mark[cavity[i].neighbour[k] >> 2] != inside;
     }
-  }
-  gmds_id base = t->base, count = 0;
-  for (size_t i = 0; i < n_sides; i++) {
-    gmds_id face = t->faces[i];
-    const gmds_id *row = t->node + (face & ~(gmds_id)3);
-    const unsigned char *on = on_face[face & 3];
-    side *s = &t->sides[i];
-    s->x = row[on[0]];
-    s->y = row[on[1]];
-    s->z = row[on[2]];
-    s->beyond = t->neighbour[face];
-    gmds_id *const local = t->local;
-    local[s->x] = local[s->x] < base ? base + count++ : local[s->x];
-    local[s->y] = local[s->y] < base ? base + count++ : local[s->y];
-    local[s->z] = local[s->z] < base ? base + count++ : local[s->z];
-    s->lx = local[s->x] - base;
-    s->ly = local[s->y] - base;
-    s->lz = local[s->z] - base;
-  }
-  if (base > GMDS_NONE / 2) { /* numbers are used up */
-    memset(t->local, 0, (t->nodes + 1) * sizeof *t->local);
-    base = 1;
-  }
-  t->base = base + count;
   return n_sides;
 }
 
-/* Takes identifiers for n_sides tetrahedra: first those of the cavity's n, then spare ones, then new ones. */
+/* Makes the n identifiers of the cavity n_sides for the star: others come from the spare ones, then from the end. */
 static int take_ids(triangulation *t, size_t n_sides, size_t n)
 {
-  size_t taken = n_sides < n ? n_sides : n;
-  for (size_t i = 0; i < taken; i++)
-    t->sides[i].id = t->cavity[i];
-  for (; taken < n_sides && t->spares; taken++)
-    t->sides[taken].id = t->spare[--t->spares];
-  if (!reserve_tetrahedra(t, t->tetrahedra + n_sides - taken))
+  if (!reserve_tetrahedra(t, t->tetrahedra + n_sides))
     return 0;
-  for (; taken < n_sides; taken++) {
+  for (; n < n_sides && t->spares; n++)
+    t->ids[n] = t->spare[--t->spares];
+  for (; n < n_sides; n++) {
     t->mark[t->tetrahedra] = 0;
-    t->sides[taken].id = (gmds_id)t->tetrahedra++;
+    t->ids[n] = (gmds_id)t->tetrahedra++;
   }
-  if (n_sides < n) {
-    size_t more = n - n_sides, grown = t->spares + more;
-    if (grown > t->spares_room) {
-      grown = gmds_grown(t->spares_room, grown);
-      if (!resize_ids(t, &t->spare, t->spares_room, grown))
-        return 0;
-      t->spares_room = grown;
-    }
-    memcpy(t->spare + t->spares, t->cavity + n_sides, more * sizeof *t->spare);
-    t->spares += more;
+  if (n_sides == n)
+    return 1;
+  size_t more = n - n_sides, grown = t->spares + more;
+  if (grown > t->spares_room) {
+    grown = gmds_grown(t->spares_room, grown);
+    if (!resize_ids(t, &t->spare, t->spares_room, grown))
+      return 0;
+    t->spares_room = grown;
   }
+  memcpy(t->spare + t->spares, t->ids + n_sides, more * sizeof *t->spare);
+  t->spares += more;
   return 1;
 }
 
@@ -292,61 +279,70 @@ static int link_by_hash(triangulation *t, size_t n_sides)
   memset(t->edge, 0xff, 3 * t->edges * sizeof *t->edge);
   for (int link = 0; link < 2; link++)
     for (size_t i = 0; i < n_sides; i++) {
-      const side *s = &t->sides[i];
-      const gmds_id from[3] = {s->z, s->y, s->x}, to[3] = {s->x, s->z, s->y};
-      for (gmds_id k = 0; k < 3; k++)
+      const size_t id = t->ids[i];
+      const gmds_id *row = t->node + 4 * id;
+      for (gmds_id k = 0; k < 3; k++) {
+        gmds_id from = row[on_face[k][1]], to = row[on_face[k][0]];
         if (link)
-          t->neighbour[4 * (size_t)s->id + k] = t->edge[edge_slot(t, to[k], from[k]) + 2];
+          t->neighbour[4 * id + k] = t->edge[edge_slot(t, to, from) + 2];
         else {
-          size_t slot = edge_slot(t, from[k], to[k]);
-          t->edge[slot] = from[k];
-          t->edge[slot + 1] = to[k];
-          t->edge[slot + 2] = 4 * s->id + k;
+          size_t slot = edge_slot(t, from, to);
+          t->edge[slot] = from;
+          t->edge[slot + 1] = to;
+          t->edge[slot + 2] = 4 * t->ids[i] + k;
         }
+      }
     }
   return 1;
 }
 
-/* Links them by a table over the numbers of the boundary's nodes: a directed edge to the face on it. */
-static void link_by_table(triangulation *t, size_t n_sides)
-{
-  gmds_id table[WIDTH * WIDTH];
-  for (size_t i = 0; i < n_sides; i++) {
-    const side *s = &t->sides[i];
-    table[s->lz * WIDTH + s->lx] = 4 * s->id;
-    table[s->ly * WIDTH + s->lz] = 4 * s->id + 1;
-    table[s->lx * WIDTH + s->ly] = 4 * s->id + 2;
-  }
-  for (size_t i = 0; i < n_sides; i++) {
-    const side *s = &t->sides[i];
-    gmds_id *around = t->neighbour + 4 * (size_t)s->id;
-    around[0] = table[s->lx * WIDTH + s->lz];
-    around[1] = table[s->lz * WIDTH + s->ly];
-    around[2] = table[s->ly * WIDTH + s->lx];
-  }
-}
-
-/* Joins each side to node v. The tetrahedron x, z, y, v has the side as face 3, and on faces 0, 1 and 2 the edges z x, y z
- * and x y. */
+/* Joins each side to node v. The tetrahedron x, z, y, v has the side as face 3, and on faces 0, 1 and 2 the edges z x,
+ * y z and x y. A table over the numbers of the boundary's nodes takes a directed edge to the face on it. */
 static int fill_cavity(triangulation *t, size_t n, gmds_id v)
 {
   size_t n_sides = find_sides(t, n, v), n_nodes = n_sides / 2 + 2;
   if (!take_ids(t, n_sides, n))
     return 0;
+  gmds_id table[WIDTH * WIDTH], count = 0;
+  gmds_id *const node = t->node, *const neighbour = t->neighbour, *const local = t->local;
+  const gmds_id base = t->base;
   for (size_t i = 0; i < n_sides; i++) {
-    const side *s = &t->sides[i];
-    gmds_id *row = t->node + 4 * (size_t)s->id;
-    row[0] = s->x;
-    row[1] = s->z;
-    row[2] = s->y;
-    row[3] = v;
-    t->neighbour[4 * (size_t)s->id + 3] = s->beyond;
-    t->neighbour[s->beyond] = 4 * s->id + 3;
+    gmds_id side = t->sides[i], face = 4 * t->ids[i];
+    const former *f = &t->cavity[side >> 2];
+    const unsigned char *on = on_face[side & 3];
+    gmds_id x = f->node[on[0]], y = f->node[on[1]], z = f->node[on[2]], beyond = f->neighbour[side & 3];
+    node[face] = x;
+    node[face + 1] = z;
+    node[face + 2] = y;
+    node[face + 3] = v;
+    neighbour[face + 3] = beyond;
+    neighbour[beyond] = face + 3;
+    x = number(local, x, base, &count);
+    y = number(local, y, base, &count);
+    z = number(local, z, base, &count);
+    t->corner[i] = (corners){x, y, z};
+    x %= WIDTH;
+    y %= WIDTH;
+    z %= WIDTH;
+    table[z * WIDTH + x] = face;
+    table[y * WIDTH + z] = face + 1;
+    table[x * WIDTH + y] = face + 2;
   }
-  t->last = t->sides[0].id;
+  t->last = t->ids[0];
+  t->base = base + count;
+  if (t->base > GMDS_NONE / 2) { /* numbers are used up */
+    memset(t->local, 0, (t->nodes + 1) * sizeof *t->local);
+    t->base = 1;
+  }
   if (n_nodes > WIDTH)
     return link_by_hash(t, n_sides);
-  link_by_table(t, n_sides);
+  for (size_t i = 0; i < n_sides; i++) {
+    const corners c = t->corner[i];
+    gmds_id *around = neighbour + 4 * (size_t)t->ids[i];
+    around[0] = table[c.x * WIDTH + c.z];
+    around[1] = table[c.z * WIDTH + c.y];
+    around[2] = table[c.y * WIDTH + c.x];
+  }
   return 1;
 }
 
@@ -479,10 +475,11 @@ static gmds_status triangulate(triangulation *t, size_t n, const double *xyz)
   (void)resize_ids(t, &t->neighbour, 4 * t->room, 4 * t->tetrahedra);
   gmds_release(&t->memory, t->mark, t->room, sizeof *t->mark);
   gmds_release(&t->memory, t->local, t->nodes + 1, sizeof *t->local);
-  gmds_release(&t->memory, t->cavity, t->capacity, sizeof *t->cavity);
+  gmds_release(&t->memory, t->ids, 4 * t->capacity, sizeof *t->ids);
   gmds_release(&t->memory, t->tested, 4 * t->capacity, sizeof *t->tested);
-  gmds_release(&t->memory, t->faces, 4 * t->capacity, sizeof *t->faces);
   gmds_release(&t->memory, t->sides, 4 * t->capacity, sizeof *t->sides);
+  gmds_release(&t->memory, t->cavity, t->capacity, sizeof *t->cavity);
+  gmds_release(&t->memory, t->corner, 4 * t->capacity, sizeof *t->corner);
   gmds_release(&t->memory, t->spare, t->spares_room, sizeof *t->spare);
   gmds_release(&t->memory, t->edge, 3 * t->edges, sizeof *t->edge);
   return GMDS_OK;
