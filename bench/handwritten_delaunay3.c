@@ -189,12 +189,14 @@ static size_t find_cavity(triangulation *t, gmds_id start, gmds_id v)
       gmds_id next = f->neighbour[k] >> 2, mark = t->mark[next];
       t->tested[n_tested] = next;
       n_tested += mark < outside;
+      __builtin_prefetch(t->node + 4 * (size_t)next);
+      __builtin_prefetch(t->neighbour + 4 * (size_t)next);
       t->mark[next] = mark < outside ? outside : mark;
     }
     /* One that is left over waits for another as long as there can be one; then it is tested beside itself. */
     while (done + 2 <= n_tested || (i + 1 == n && done < n_tested)) {
       gmds_id first = t->tested[done], second = t->tested[done + 1 < n_tested ? done + 1 : done];
-      unsigned in = in_conflict(t, first, second, p) & (1 + 2 * (done + 1 < n_tested));
+      unsigned in = in_conflict(t, first, second, p) & (done + 1 < n_tested ? 3u : 1u);
       t->ids[n] = second;
       n += in >> 1;
       t->mark[second] = outside + (in >> 1);
