@@ -10,7 +10,6 @@
 #include "expansion.h"
 #include "stages.h"
 #include "wide.h"
-#include <float.h>
 #include <gmds/predicates.h>
 
 /* The six differences, ax ay bx by cx cy. The value is whether all are exact. */
@@ -28,18 +27,10 @@ static int differences(const double a[2], const double b[2], const double c[2], 
 
 int gmds_incircle_lattice(const double a[2], const double b[2], const double c[2], const double d[2])
 {
-  double delta[6], largest = 0;
-  if (!differences(a, b, c, d, delta))
-    return GMDS_UNDECIDED;
-  for (int i = 0; i < 6; i++)
-    largest = fabs(delta[i]) > largest ? fabs(delta[i]) : largest;
-  /* Multiples of g = 2^(e-12), for 2^(e-1) <= largest < 2^e, are what no digit is lost of when they are added to
-   * 2^42 largest. Then minors and lifts are integers below 2^25 times g^2, and the sum one below 2^52 times g^4. */
-  int on_lattice = (largest >= 0x1p-250) & (largest <= 0x1p250);
-  double shift = 0x1p42 * largest;
-  for (int i = 0; i < 6; i++)
-    on_lattice &= (delta[i] + shift) - shift == delta[i];
-  if (!on_lattice)
+  double delta[6];
+  /* With integers below 2^12 times g, minors and lifts are integers below 2^25 times g^2, and the sum one below 2^52
+   * times g^4. */
+  if (!differences(a, b, c, d, delta) || !on_lattice(6, delta, 0x1p42, 0x1p-250, 0x1p250))
     return GMDS_UNDECIDED;
   double ax = delta[0], ay = delta[1], bx = delta[2], by = delta[3], cx = delta[4], cy = delta[5];
   double det = (ax * ax + ay * ay) * (bx * cy - cx * by) + (bx * bx + by * by) * (cx * ay - ax * cy) +
@@ -48,14 +39,6 @@ int gmds_incircle_lattice(const double a[2], const double b[2], const double c[2
 }
 
 #if LDBL_MANT_DIG == 64
-/* Whether long doubles have the precision that they are said to have: emulators (valgrind's among them) and a changed
- * control word of the processor may give less. */
-static int extended_is_extended(void)
-{
-  volatile long double one = 1, small = 0x1p-63L;
-  return one + small != one;
-}
-
 int gmds_incircle_extended(const double a[2], const double b[2], const double c[2], const double d[2])
 {
   const long double dx = d[0], dy = d[1];

@@ -1,43 +1,10 @@
 /* Families of points that are hard for predicates in different ways; families.h says which. */
 #include "families.h"
-#include "harness.h"
-#include <math.h>
+#include "draw.h"
 
 #define FAMILY_NAME(name) #name,
 const char *const family_name[family_count] = {FAMILY_LIST(FAMILY_NAME)};
 #undef FAMILY_NAME
-
-static double integer_in(uint64_t *seed, int low, int high)
-{
-  return (double)low + (double)random_below(seed, (size_t)(high - low + 1));
-}
-
-/* x moved by `steps` units in the last place. */
-static double moved(double x, int steps)
-{
-  for (; steps > 0; steps--)
-    x = nextafter(x, INFINITY);
-  for (; steps < 0; steps++)
-    x = nextafter(x, -INFINITY);
-  return x;
-}
-
-static void move_last(uint64_t *seed, double *p, int last, int most)
-{
-  for (int k = 0; k < 2; k++)
-    p[2 * last + k] = moved(p[2 * last + k], (int)integer_in(seed, -most, most));
-}
-
-static double finite_bits(uint64_t *seed)
-{
-  for (;;) {
-    uint64_t bits = random_bits(seed);
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    if (isfinite(x))
-      return x;
-  }
-}
 
 static void uniform(uint64_t *seed, double p[8])
 {
@@ -84,7 +51,7 @@ static void on_a_line(uint64_t *seed, double p[8])
     p[2 * i] = x + t * dx;
     p[2 * i + 1] = y + t * dy;
   }
-  move_last(seed, p, 2, 4);
+  move_point(seed, 2, p, 2, 4);
 }
 
 static void on_a_circle(uint64_t *seed, double p[8])
@@ -95,16 +62,16 @@ static void on_a_circle(uint64_t *seed, double p[8])
     p[2 * i] = x + radius * cos(angle);
     p[2 * i + 1] = y + radius * sin(angle);
   }
-  move_last(seed, p, 3, 4);
+  move_point(seed, 2, p, 3, 4);
 }
 
 static void ulps_of_diagonal(uint64_t *seed, double p[8])
 {
   const double diagonal[] = {0.5, 0.5, 12, 12, 24, 24, 0.5, 24};
   memcpy(p, diagonal, sizeof diagonal);
-  move_last(seed, p, (int)integer_in(seed, 0, 2), 64);
+  move_point(seed, 2, p, (int)integer_in(seed, 0, 2), 64);
   if (random_bits(seed) & 1)
-    move_last(seed, p, 3, 64);
+    move_point(seed, 2, p, 3, 64);
 }
 
 static void mirrored(uint64_t *seed, double p[8])
@@ -117,7 +84,7 @@ static void mirrored(uint64_t *seed, double p[8])
     p[2 * i + 1] = (swap ? x : y) * (random_bits(seed) & 1 ? 1 : -1);
   }
   if (random_bits(seed) & 1)
-    move_last(seed, p, 3, 1);
+    move_point(seed, 2, p, 3, 1);
 }
 
 static void any_bits(uint64_t *seed, double p[8])
