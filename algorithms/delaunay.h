@@ -1,5 +1,6 @@
 /* Delaunay triangulation of points of the plane by the algorithm of Bowyer and Watson ([models] 4.1): one text for every
- * model that answers 2 -> 0 and 2 -> 2 on triangles.
+ * model that answers 2 -> 0 and 2 -> 2 on triangles; for models that keep regions that of points in space
+ * (delaunay/space.h).
  *
  * A node that stands for infinity (the ghost) makes the triangulation a closed surface, so that the hull is exact. The
  * points go in along a Hilbert curve in rounds (order.h). Each is located by a walk, the triangles whose circles hold it
@@ -12,23 +13,25 @@
  *
  *   <prefix>_delaunay(m, n, xy, options, result)
  *     m        an empty mesh; its nodes are the distinct points in the order of insertion, its faces the triangles
- *     n, xy    n × 2 coordinates, row major
+ *     n, xy    n × 2 coordinates, row major; n × 3 of points of one plane where a node has three (DIM3)
  *     options  may be NULL
  *     result   may be NULL; cleared first. Points of lower dimension give no faces, but dimension and chain (delaunay.h)
  *   GMDS_OK; GMDS_ERR_ARGUMENT (the mesh is not empty); GMDS_ERR_COORDINATE (the error names the first point that is not
- *   finite); GMDS_ERR_TOO_MANY; GMDS_ERR_MEMORY; GMDS_ERR_CANCELLED; GMDS_ERR_PLATFORM. On failure the mesh is empty (one
+ *   finite; points in space are not of one plane); GMDS_ERR_TOO_MANY; GMDS_ERR_MEMORY; GMDS_ERR_CANCELLED; GMDS_ERR_PLATFORM. On failure the mesh is empty (one
  *   that was not is left as it was) and the result is empty. Expected O(n log n) where neighbours are local, else O(n)
  *   traversals of the mesh. */
 #ifndef GMDS__OPEN
 #  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/delaunay.h>"
 #endif
 
+#if GMDS_TOP == 3
+#  include <gmds/algorithms/delaunay/space.h>
+#else
 #include <gmds/delaunay.h>
 #include <gmds/order.h>
 #include <gmds/predicates.h>
 #include <gmds/threads.h>
 
-_Static_assert(GMDS_COORDINATES == 2, "gmds: delaunay() triangulates the plane: take DIM3 out of GMDS_MODEL");
 _Static_assert(GMDS_HAS_TRIANGLES, "gmds: delaunay() makes triangles: add TRIANGLE to GMDS_FACES");
 _Static_assert(!GMDS_STORED(1, 1), "gmds: delaunay() does not keep E2E true: take it out of GMDS_MODEL");
 _Static_assert(GMDS_CAN(2, 0), "gmds: delaunay() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL (the inverse of a "
@@ -37,9 +40,11 @@ _Static_assert(GMDS_CAN(2, 2), "gmds: delaunay() needs 2->2: add F2F, or F2N, or
 _Static_assert(GMDS_ADDS_FACES,
                "gmds: delaunay() needs to find what is at a side: add F2N, or define GMDS_FACES TRIANGLE");
 
-#if GMDS_COORDINATES == 2 && GMDS_HAS_TRIANGLES && !GMDS_STORED(1, 1) && GMDS_CAN(2, 0) && GMDS_CAN(2, 2) && \
+#if GMDS_HAS_TRIANGLES && !GMDS_STORED(1, 1) && GMDS_CAN(2, 0) && GMDS_CAN(2, 2) && \
     GMDS_ADDS_FACES
 #  define insertion GMDS_FN(insertion)
+#  define turn_of GMDS_FN(turn_of)
+#  define circle_side GMDS_FN(circle_side)
 #  define neighbours GMDS_FN(neighbours)
 #  define step_over GMDS_FN(step_over)
 #  define in_conflict GMDS_FN(in_conflict)
@@ -90,6 +95,8 @@ _Static_assert(GMDS_ADDS_FACES,
 #  undef GMDS__ALONE
 #  undef GMDS__SHARED
 #  undef insertion
+#  undef turn_of
+#  undef circle_side
 #  undef neighbours
 #  undef step_over
 #  undef in_conflict
@@ -133,3 +140,4 @@ _Static_assert(GMDS_ADDS_FACES,
 #  undef sort_chain
 #  undef delaunay
 #endif
+#endif /* the plane */

@@ -3,27 +3,32 @@
 /* What the filter leaves undecided. The circle of an infinite triangle (a, b, ghost) is the half-plane left of a -> b
  * and the open segment between them; the ghost's coordinates, not numbers, leave it undecided. */
 __attribute__((cold)) static inline int in_conflict_exactly(const insertion *in, gmds_id v0, gmds_id v1, gmds_id v2,
-                                                            const double p[2])
+                                                            const double p[GMDS_COORDINATES])
 {
   const mesh *m = in->m;
   const gmds_id v[3] = {v0, v1, v2};
   if (v[0] != in->ghost && v[1] != in->ghost && v[2] != in->ghost)
-    return gmds_incircle_perturbed(point(m, v[0]), point(m, v[1]), point(m, v[2]), p) > 0;
+    return circle_side(point(m, v[0]), point(m, v[1]), point(m, v[2]), p) > 0;
   unsigned g = v[0] == in->ghost ? 0 : v[1] == in->ghost ? 1 : 2;
   const double *a = point(m, v[(g + 1) % 3]), *b = point(m, v[(g + 2) % 3]);
-  int side = gmds_orient2d(a, b, p);
-  return side ? side > 0 : gmds_compare_points(2, a, p) * gmds_compare_points(2, p, b) > 0;
+  int side = turn_of(a, b, p);
+  return side ? side > 0 : gmds_compare_points(GMDS_COORDINATES, a, p) * gmds_compare_points(GMDS_COORDINATES, p, b) > 0;
 }
 
 /* Whether the circle of s holds p, and twice whether that of t does. */
 static inline unsigned in_conflict(const insertion *in, const gmds_cavity_face *s, const gmds_cavity_face *t,
-                                   const double p[2])
+                                   const double p[GMDS_COORDINATES])
 {
   const mesh *m = in->m;
   const gmds_id *v = s->node, *w = t->node;
+#if GMDS_COORDINATES == 2
   unsigned undecided = 0,
            inside = gmds_incircle_filter_pair(point(m, v[0]), point(m, v[1]), point(m, v[2]), point(m, w[0]),
                                               point(m, w[1]), point(m, w[2]), p, &undecided);
+#else
+  unsigned undecided = 3, inside = 0; /* no filter for points of a plane in space */
+  (void)m;
+#endif
   if (undecided & 1)
     inside |= (unsigned)in_conflict_exactly(in, v[0], v[1], v[2], p);
   if (undecided & 2)
@@ -64,7 +69,7 @@ static inline void add_side(insertion *in, size_t c, unsigned q, const gmds_cavi
 
 /* Gathers the cavity of p from a triangle in it, depth first: the sides of its boundary are met in order around it. Both
  * sides by which a triangle is left are tested at once. */
-GMDS_SPECIALISED gmds_status grow_cavity(insertion *in, const double p[2], int sharing, const gmds_cavity_face *root)
+GMDS_SPECIALISED gmds_status grow_cavity(insertion *in, const double p[GMDS_COORDINATES], int sharing, const gmds_cavity_face *root)
 {
   size_t depth = 0, faces = 0;
   gmds_cavity_face t = *root, left, right;

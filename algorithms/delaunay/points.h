@@ -14,9 +14,9 @@ static inline void place_part(void *work, unsigned t)
   double *x = coordinates(p->m);
   size_t end = GMDS_SHARE(p->n, t + 1, p->threads);
   for (size_t k = GMDS_SHARE(p->n, t, p->threads); k < end; k++) {
-    const double *from = p->xy + 2 * (size_t)p->order[k];
-    x[2 * k] = from[0] + 0.0; /* -0 becomes +0 */
-    x[2 * k + 1] = from[1] + 0.0;
+    const double *from = p->xy + GMDS_COORDINATES * (size_t)p->order[k];
+    for (size_t i = 0; i < GMDS_COORDINATES; i++)
+      x[GMDS_COORDINATES * k + i] = from[i] + 0.0; /* -0 becomes +0 */
   }
 }
 
@@ -33,12 +33,16 @@ static inline gmds_status place_nodes(mesh *m, unsigned threads, size_t n, const
     result->points = n;
   }
   gmds_id first = 0;
+#if GMDS_TOP == 3
+  gmds_status status = n < GMDS_NONE ? reserve(m, n + 1, 0, 0, 0) : GMDS_ERR_TOO_MANY;
+#else
   gmds_status status = n < GMDS_NONE ? reserve(m, n + 1, 0, 0) : GMDS_ERR_TOO_MANY;
+#endif
   if (status != GMDS_OK)
     return gmds_fail(error, status, "%zu nodes: %s", n, gmds_status_text(status));
   /* the room for the coordinates serves as working space before they are there */
-  void *room = gmds_order_scratch(n) <= 2 * sizeof(double) * n ? coordinates(m) : NULL;
-  GMDS_TRY(gmds_order_points(mesh_memory(m), room, threads, 2, n, xy, error, order, same, &distinct));
+  void *room = gmds_order_scratch(n) <= GMDS_COORDINATES * sizeof(double) * n ? coordinates(m) : NULL;
+  GMDS_TRY(gmds_order_points(mesh_memory(m), room, threads, GMDS_COORDINATES, n, xy, error, order, same, &distinct));
   if (result)
     result->distinct = distinct;
   status = add_nodes(m, distinct, NULL, &first);
@@ -85,9 +89,9 @@ static inline gmds_status sort_chain(const mesh *m, gmds_delaunay_result *result
       chain[end] = top;
     }
     for (size_t root = start, child; (child = 2 * root + 1) < end; root = child) {
-      if (child + 1 < end && gmds_compare_points(2, point(m, chain[child]), point(m, chain[child + 1])) < 0)
+      if (child + 1 < end && gmds_compare_points(GMDS_COORDINATES, point(m, chain[child]), point(m, chain[child + 1])) < 0)
         child++;
-      if (gmds_compare_points(2, point(m, chain[root]), point(m, chain[child])) >= 0)
+      if (gmds_compare_points(GMDS_COORDINATES, point(m, chain[root]), point(m, chain[child])) >= 0)
         break;
       gmds_id swap = chain[root];
       chain[root] = chain[child];

@@ -9,11 +9,16 @@ static inline gmds_status first_triangle(insertion *in, gmds_id *third)
   int turn = 0;
   gmds_id c = 2;
   for (; c < n && !turn; c++)
-    turn = gmds_orient2d(point(m, 0), point(m, 1), point(m, c));
+    turn = turn_of(point(m, 0), point(m, 1), point(m, c));
   *third = turn ? c - 1 : GMDS_NONE;
   if (!turn)
     return GMDS_OK;
-  const double nowhere[2] = {NAN, NAN}; /* no filter decides anything by the ghost's coordinates */
+#if GMDS_COORDINATES == 3
+  for (gmds_id v = c; v < n; v++)
+    if (gmds_orient3d(point(m, 0), point(m, 1), point(m, *third), point(m, v)))
+      return GMDS_ERR_COORDINATE;
+#endif
+  const double nowhere[3] = {NAN, NAN, NAN}; /* no filter decides anything by the ghost's coordinates */
   GMDS_TRY(reserve(m, n + 1, 3 * n, 2 * n));
   GMDS_TRY(add_node(m, nowhere, &in->ghost));
   const gmds_id v[3] = {turn > 0 ? 0 : 1, turn > 0 ? 1 : 0, *third};

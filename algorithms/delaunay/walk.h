@@ -1,5 +1,24 @@
 /* Stepping from triangle to triangle, and the walk to a point. */
 
+/* The predicates: of the plane, or of points of one plane in space. */
+static inline int turn_of(const double *a, const double *b, const double *c)
+{
+#if GMDS_COORDINATES == 2
+  return gmds_orient2d(a, b, c);
+#else
+  return gmds_coplanar_orientation(a, b, c);
+#endif
+}
+
+static inline int circle_side(const double *a, const double *b, const double *c, const double *p)
+{
+#if GMDS_COORDINATES == 2
+  return gmds_incircle_perturbed(a, b, c, p);
+#else
+  return gmds_coplanar_incircle_perturbed(a, b, c, p);
+#endif
+}
+
 /* A side of the cavity found so far that is still to be crossed, or to be added to the boundary. */
 typedef struct pending_side {
   gmds_cavity_face beyond;
@@ -157,13 +176,13 @@ static inline gmds_status leave(insertion *in, const gmds_cavity_face *t, gmds_c
 /* Walks from the last triangle to one whose circle holds p: the finite triangle that p lies in or on, or the infinite
  * one beyond a side of the hull that p lies outside of. A visibility walk: in a Delaunay triangulation it never meets
  * a triangle twice (Edelsbrunner 1990). */
-GMDS_SPECIALISED gmds_status locate(insertion *in, const double p[2], int sharing, gmds_cavity_face *found)
+GMDS_SPECIALISED gmds_status locate(insertion *in, const double p[GMDS_COORDINATES], int sharing, gmds_cavity_face *found)
 {
   const mesh *m = in->m;
   gmds_cavity_face t = in->last;
   unsigned q = 0;
   while (q < 3) {
-    if (gmds_orient2d(point(m, t.node[q]), point(m, t.node[q < 2 ? q + 1 : 0]), p) >= 0) {
+    if (turn_of(point(m, t.node[q]), point(m, t.node[q < 2 ? q + 1 : 0]), p) >= 0) {
       q++;
       continue;
     }

@@ -1,11 +1,5 @@
 /* A mesh as a complex (complex.h), and back: what conversion between models, soups and the check are made of. */
 
-/* The nodes of every face and region can be listed in order: what a mesh must know to be converted or written. */
-#define GMDS__LISTS_FACES (!GMDS__MAKES_FACES || GMDS_ORDERED_2_0 || (GMDS__SIMPLICIAL && GMDS__CAN_2_0))
-#define GMDS__LISTS_REGIONS \
-  (GMDS_ORDERED_3_0 || GMDS__S_3_0 || (GMDS__TETRAHEDRA && GMDS__CAN_3_0) || (GMDS__CAN_3_2 && GMDS_ORDERED_2_0))
-#define GMDS_LISTS_CELLS (GMDS__LISTS_FACES && GMDS__LISTS_REGIONS && GMDS__TELLS_EDGES)
-
 #if GMDS_LISTS_CELLS
 /* Six times the volume that a region encloses, by its faces. */
 static inline double enclosed(const mesh *m, const gmds_shape *s, const gmds_id *v)

@@ -15,11 +15,38 @@ typedef struct mesh mesh;
   (!GMDS__S_3_3 || GMDS__KNOWS_WALLS || GMDS__LINKED_2_3)
 #define GMDS__TELLS_SIDES (!GMDS__S_2_2 || GMDS__LINKED_1_2 || (GMDS__LINKED_0_2 && GMDS__KNOWS_SIDES))
 
+/* The nodes of every face and region can be listed in order: what a mesh must know to be converted or written. */
+#define GMDS__LISTS_FACES (!GMDS__MAKES_FACES || GMDS_ORDERED_2_0 || (GMDS__SIMPLICIAL && GMDS__CAN_2_0))
+#define GMDS__LISTS_REGIONS \
+  (GMDS_ORDERED_3_0 || GMDS__S_3_0 || (GMDS__TETRAHEDRA && GMDS__CAN_3_0) || (GMDS__CAN_3_2 && GMDS_ORDERED_2_0))
+#define GMDS_LISTS_CELLS (GMDS__LISTS_FACES && GMDS__LISTS_REGIONS && GMDS__TELLS_EDGES)
+
 /* add_face and add_region find by themselves what they have to link. */
 #define GMDS_ADDS_FACES (GMDS__TELLS_EDGES && GMDS__TELLS_FACES && GMDS__TELLS_SIDES)
 #define GMDS_ADDS_REGIONS                                                                                           \
   (GMDS_ADDS_FACES && GMDS__TELLS_REGIONS && (GMDS__LINKED_0_3 || GMDS__LINKED_1_3 || GMDS__LINKED_2_3) && \
    GMDS__CAN_3_0)
+
+/* Where nodes know nodes and no edge tells them apart, the faces at a side must, or the regions at an edge. */
+#define GMDS__JOINED_BY_FACES (GMDS__S_0_0 && !GMDS__LINKED_0_1 && GMDS__LINKED_0_2)
+#define GMDS__JOINED_BY_REGIONS (GMDS__S_0_0 && !GMDS__LINKED_0_1 && !GMDS__LINKED_0_2 && GMDS__LINKED_0_3)
+
+/* Where a region's own cells must be known for it to go without a trace. */
+#define GMDS__ASKS_NODES (GMDS__S_0_3 || GMDS__JOINED_BY_REGIONS)
+
+/* Whether what a removal has to ask can be asked: what regions bound, and what is bare. */
+#define GMDS__FORGETS_REGIONS                                                                              \
+  ((!GMDS__S_1_3 || GMDS__CAN_3_1) && (!GMDS__S_2_3 || GMDS__CAN_3_2) && (!GMDS__ASKS_NODES || GMDS__CAN_3_0) && \
+   (!GMDS__JOINED_BY_REGIONS || GMDS__KNOWS_WALLS))
+#define GMDS__FORGETS_FACES                                                                                     \
+  ((!GMDS__S_1_2 || GMDS__CAN_2_1) && (!GMDS__S_0_2 || GMDS__CAN_2_0) &&                                        \
+   (!GMDS__JOINED_BY_FACES || (GMDS_ORDERED_2_0 && GMDS__CAN_2_0) || (GMDS__SIMPLICIAL && GMDS__CAN_2_0)))
+#define GMDS__KNOWS_BARE                                                                    \
+  ((!GMDS__MAKES_FACES || (GMDS__CAN_3_2 && GMDS__CAN_2_3 && GMDS__FORGETS_FACES)) &&       \
+   (!GMDS__MAKES_EDGES || (GMDS__LINKED_0_1 && GMDS__CAN_3_1 && GMDS__CAN_1_3 &&            \
+                           (!GMDS__MAKES_FACES || (GMDS__CAN_2_1 && GMDS__CAN_1_2)))))
+
+#define GMDS_STARS (GMDS__HAS_TETRAHEDRA && GMDS_ADDS_REGIONS && GMDS__FORGETS_REGIONS && GMDS__KNOWS_BARE)
 
 /* ---- life */
 static inline gmds_status mesh_init(mesh *m, const gmds_allocator *allocator);
@@ -150,3 +177,44 @@ static inline gmds_id across(const mesh *m, gmds_id r, unsigned k, unsigned *arr
 #if GMDS__CAN_3_0
 static inline gmds_status checksum(const mesh *m, gmds_memory *memory, uint64_t *sum);
 #endif
+
+/* ---- the cavity operator
+
+ * Replaces n_regions tetrahedra by the n_walls tetrahedra (node[0], node[1], node[2], apex) of the walls of the cavity that
+ * they make (topology.h). The apex is a node that nothing is on. What the model keeps of edges and faces goes with the
+ * cavity and comes with the star. ids[i] receives the tetrahedron on wall i; identifiers are used again. That cavity and
+ * walls are what they are said to be is not checked. GMDS_OK; GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY: in models with
+ * GMDS_CONCURRENT_STARS nothing has changed, in others the mesh is valid, but the cavity may be gone. Nothing is looked up
+ * in the former; in others as add_tetrahedron for each. In models that hold tetrahedra (GMDS_STARS). */
+#if GMDS_STARS
+static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, const gmds_id *regions, size_t n_walls,
+                               const gmds_cavity_wall *walls, gmds_id *ids);
+#endif
+
+/* ---- the whole mesh
+
+ * Verifies every stored relation against the nodes of all cells, where the model can list them (GMDS_LISTS_CELLS), else
+ * relations that are stored both ways against each other. GMDS_OK; GMDS_ERR_INVARIANT (`error` names the first violation);
+ * GMDS_ERR_MEMORY. O(mesh). */
+static inline gmds_status check(const mesh *m, gmds_memory *memory, gmds_error *error);
+
+/* Fills an empty mesh from a soup (volume.h): points become nodes; edges and faces that the soup lists come first, in its
+ * order, then those of regions that the model keeps; lower cells that the model does not keep are left out. Cells with the
+ * same nodes are one. GMDS_OK; GMDS_ERR_ARGUMENT (the mesh is not empty or has attributes, or a cell has a node twice);
+ * GMDS_ERR_UNSUPPORTED (a type of cell that the model does not hold); GMDS_ERR_CONFLICT (R2R, and a third region on a face);
+ * GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY: the sentence names the cell, the mesh is empty. O(soup). */
+static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *error);
+
+/* Writes the mesh into a soup of three coordinates (what it held is freed), renumbered without holes: gmds_volume_to_soup.
+ * In models with GMDS_LISTS_CELLS. GMDS_OK; GMDS_ERR_CONFLICT; GMDS_ERR_MEMORY (the soup is unchanged). O(mesh).
+ *
+ * get_volume and set_volume convert between models: one lists what the mesh holds, attributes and holes included, the
+ * other fills an empty mesh with it; cells keep their identifiers, edges and faces that this model keeps more come behind
+ * them (the volume has them too then), those that it does not keep are left out. Statuses as from_soup; where it fails
+ * the mesh is empty. A tetrahedron whose order is not stored is turned so that its volume is positive, and so are other
+ * regions that only know their faces. */
+#if GMDS_LISTS_CELLS
+static inline gmds_status to_soup(const mesh *m, gmds_soup *soup, gmds_error *error);
+static inline gmds_status get_volume(const mesh *m, gmds_volume *volume, gmds_error *error);
+#endif
+static inline gmds_status set_volume(mesh *m, gmds_volume *volume, gmds_error *error);

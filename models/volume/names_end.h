@@ -133,7 +133,9 @@
 #undef is_joined
 #undef is_wall
 #undef lacks_one
+#undef link_around_nodes
 #undef link_beside
+#undef link_by_table
 #undef link_edge
 #undef link_face
 #undef link_neighbours
@@ -214,6 +216,7 @@
 #undef set_volume
 #undef share_side
 #undef share_wall
+#undef star
 #undef start_with
 #undef step
 #undef surroundings
@@ -242,9 +245,11 @@
 #undef view_3_2
 #undef view_3_3
 #undef wall_nodes
+#undef write_star
 #undef GMDS_ADDS_FACES
 #undef GMDS_ADDS_REGIONS
 #undef GMDS_LISTS_CELLS
+#undef GMDS_STARS
 #undef GMDS__ARITY_1_0
 #undef GMDS__ARITY_2_0
 #undef GMDS__ARITY_2_1
@@ -300,6 +305,7 @@
 #undef GMDS__ROW2
 #undef GMDS__ROW3
 #undef GMDS__ROW4
+#undef GMDS__STAR_WIDTH
 #undef GMDS__STEP
 #undef GMDS__TELLS_EDGES
 #undef GMDS__TELLS_FACES

@@ -2,10 +2,6 @@
  * everything that names the cell forgets it, which cannot fail. When several cells go, a first pass gathers for each
  * without carrying anything out, so that the lists have grown to what the second needs. */
 
-/* Where nodes know nodes and no edge tells them apart, the faces at a side must, or the regions at an edge. */
-#define GMDS__JOINED_BY_FACES (GMDS__S_0_0 && !GMDS__LINKED_0_1 && GMDS__LINKED_0_2)
-#define GMDS__JOINED_BY_REGIONS (GMDS__S_0_0 && !GMDS__LINKED_0_1 && !GMDS__LINKED_0_2 && GMDS__LINKED_0_3)
-
 #if GMDS__S_0_0
 static inline void unjoin(mesh *m, gmds_id a, gmds_id b)
 {
@@ -131,9 +127,6 @@ static inline gmds_status forget_face(mesh *m, gmds_id f, gmds_bare bare, int dr
 
 /* ---- regions */
 
-/* Where a region's own cells must be known for it to go without a trace. */
-#define GMDS__ASKS_NODES (GMDS__S_0_3 || GMDS__JOINED_BY_REGIONS)
-
 /* Makes everything forget region r and frees it; likewise its faces and edges that are left bare, where these go. Its
  * nodes, edges and faces are put into m->plan first. */
 static inline gmds_status forget_region(mesh *m, gmds_id r, gmds_bare bare, int dry)
@@ -218,18 +211,6 @@ static inline gmds_status forget_region(mesh *m, gmds_id r, gmds_bare bare, int 
 #endif
   return GMDS_OK;
 }
-
-/* Whether what a removal has to ask can be asked: what regions bound, and what is bare. */
-#define GMDS__FORGETS_REGIONS                                                                              \
-  ((!GMDS__S_1_3 || GMDS__CAN_3_1) && (!GMDS__S_2_3 || GMDS__CAN_3_2) && (!GMDS__ASKS_NODES || GMDS__CAN_3_0) && \
-   (!GMDS__JOINED_BY_REGIONS || GMDS__KNOWS_WALLS))
-#define GMDS__FORGETS_FACES                                                                                     \
-  ((!GMDS__S_1_2 || GMDS__CAN_2_1) && (!GMDS__S_0_2 || GMDS__CAN_2_0) &&                                        \
-   (!GMDS__JOINED_BY_FACES || (GMDS_ORDERED_2_0 && GMDS__CAN_2_0) || (GMDS__SIMPLICIAL && GMDS__CAN_2_0)))
-#define GMDS__KNOWS_BARE                                                                    \
-  ((!GMDS__MAKES_FACES || (GMDS__CAN_3_2 && GMDS__CAN_2_3 && GMDS__FORGETS_FACES)) &&       \
-   (!GMDS__MAKES_EDGES || (GMDS__LINKED_0_1 && GMDS__CAN_3_1 && GMDS__CAN_1_3 &&            \
-                           (!GMDS__MAKES_FACES || (GMDS__CAN_2_1 && GMDS__CAN_1_2)))))
 
 static inline gmds_status remove_regions(mesh *m, const gmds_ids *regions, gmds_bare bare)
 {

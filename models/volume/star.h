@@ -1,1 +1,107 @@
-/* */
+/* The cavity operator: the tetrahedra of a cavity are replaced by those that join its walls to a node. What a Bowyer-Watson
+ * insertion does, in one operation; old identifiers are used again. Tetrahedron i has wall i as its face 3, and on faces
+ * 0, 1, 2 the edges of the wall from node 0 to 1, 1 to 2 and 2 to 0. */
+
+#if GMDS_STARS
+
+#  if GMDS_CONCURRENT_STARS
+/* Boundaries of so many nodes are linked by a table over pairs of them. */
+#    define GMDS__STAR_WIDTH 64
+
+/* Links the star: a directed edge leads to the face on it, its reverse asks for it. */
+static inline void link_by_table(mesh *m, size_t n_walls, const gmds_cavity_wall *walls, const gmds_id *ids)
+{
+  gmds_id table[GMDS__STAR_WIDTH * GMDS__STAR_WIDTH];
+  gmds_id *const beyond = m->r_3_3.data;
+  for (size_t i = 0; i < n_walls; i++) {
+    const unsigned *l = walls[i].local;
+    const gmds_id face = 4 * ids[i];
+    table[l[0] * GMDS__STAR_WIDTH + l[1]] = face;
+    table[l[1] * GMDS__STAR_WIDTH + l[2]] = face + 1;
+    table[l[2] * GMDS__STAR_WIDTH + l[0]] = face + 2;
+  }
+  for (size_t i = 0; i < n_walls; i++) {
+    const unsigned *l = walls[i].local;
+    gmds_id *row = beyond + 4 * (size_t)ids[i];
+    row[0] = table[l[1] * GMDS__STAR_WIDTH + l[0]];
+    row[1] = table[l[2] * GMDS__STAR_WIDTH + l[1]];
+    row[2] = table[l[0] * GMDS__STAR_WIDTH + l[2]];
+  }
+}
+
+/* The same for any number of nodes: around each node what leaves it is met by what comes to it. `room` has space for
+ * 3 n_walls + 2 n_nodes + 1 entries. */
+static inline void link_around_nodes(mesh *m, size_t n_walls, const gmds_cavity_wall *walls, size_t n_nodes,
+                                     const gmds_id *ids, gmds_id *room)
+{
+  gmds_id *begin = room, *at_node = begin + n_nodes + 1, *slot = at_node + 3 * n_walls;
+  memset(begin, 0, (n_nodes + 1) * sizeof *begin);
+  for (size_t i = 0; i < n_walls; i++)
+    for (int k = 0; k < 3; k++)
+      begin[walls[i].local[k] + 1]++;
+  for (size_t v = 0; v < n_nodes; v++)
+    begin[v + 1] += begin[v];
+  for (size_t i = n_walls; i-- > 0;)
+    for (gmds_id k = 0; k < 3; k++)
+      at_node[--begin[walls[i].local[k] + 1]] = 4 * (gmds_id)i + k;
+  for (size_t v = 0; v < n_nodes; v++) { /* the row of v begins at begin[v + 1] now */
+    const size_t first = begin[v + 1], last = v + 1 < n_nodes ? begin[v + 2] : 3 * n_walls;
+    for (size_t q = first; q < last; q++) {
+      const gmds_id i = at_node[q] >> 2, k = at_node[q] & 3;
+      slot[walls[i].local[k < 2 ? k + 1 : 0]] = 4 * ids[i] + k; /* face k has the edge from node k to the next */
+    }
+    for (size_t q = first; q < last; q++) {
+      const gmds_id i = at_node[q] >> 2, k = at_node[q] & 3, before = k > 0 ? k - 1 : 2;
+      m->r_3_3.data[4 * (size_t)ids[i] + before] = slot[walls[i].local[before]];
+    }
+  }
+}
+
+static inline void write_star(mesh *m, gmds_id apex, size_t n_walls, const gmds_cavity_wall *walls, const gmds_id *ids)
+{
+  gmds_id *const nodes = m->r_3_0.data, *const beyond = m->r_3_3.data;
+  for (size_t i = 0; i < n_walls; i++) {
+    const gmds_cavity_wall *w = &walls[i];
+    const gmds_id face = 4 * ids[i], out = 4 * w->out + w->out_side;
+    gmds_id *row = nodes + (size_t)face;
+    row[0] = w->node[0];
+    row[1] = w->node[1];
+    row[2] = w->node[2];
+    row[3] = apex;
+    beyond[(size_t)face + 3] = out;
+    beyond[out] = face + 3;
+  }
+}
+
+static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, const gmds_id *regions, size_t n_walls,
+                               const gmds_cavity_wall *walls, gmds_id *ids)
+{
+  const size_t n_nodes = n_walls / 2 + 2, kept = n_regions < n_walls ? n_regions : n_walls;
+  GMDS_TRY(grow(m, 3, n_walls - kept));
+  if (n_nodes > GMDS__STAR_WIDTH)
+    GMDS_TRY(gmds_ids_reserve(&m->plan, 3 * n_walls + 2 * n_nodes + 1));
+  for (size_t i = 0; i < kept; i++)
+    ids[i] = regions[i];
+  for (size_t i = kept; i < n_walls; i++)
+    ids[i] = gmds_cells_take(&m->cells[3]);
+  write_star(m, apex, n_walls, walls, ids);
+  if (n_nodes > GMDS__STAR_WIDTH)
+    link_around_nodes(m, n_walls, walls, n_nodes, ids, m->plan.data);
+  else
+    link_by_table(m, n_walls, walls, ids);
+  for (size_t i = kept; i < n_regions; i++)
+    gmds_cells_drop(&m->cells[3], regions[i]);
+  return GMDS_OK;
+}
+#  else
+static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, const gmds_id *regions, size_t n_walls,
+                               const gmds_cavity_wall *walls, gmds_id *ids)
+{
+  const gmds_ids list = {.data = (gmds_id *)(uintptr_t)regions, .n = n_regions};
+  GMDS_TRY(remove_regions(m, &list, GMDS_DROP_BARE));
+  for (size_t i = 0; i < n_walls; i++)
+    GMDS_TRY(add_tetrahedron(m, walls[i].node[0], walls[i].node[1], walls[i].node[2], apex, &ids[i]));
+  return GMDS_OK;
+}
+#  endif
+#endif
