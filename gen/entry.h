@@ -8,7 +8,7 @@ static gmds_status GMDS_FN(report)(const model_task *task, double begin, const m
   gmds_memory memory;
   gmds_memory_init(&memory, NULL);
   report->seconds = task->now() - begin;
-  report->triangles = count_2(m);
+  report->cells = count_2(m);
   report->bytes = m->memory.live;
   report->peak_bytes = m->memory.peak;
   gmds_status status = checksum(m, &memory, &report->sum);
@@ -74,6 +74,7 @@ enum {
 };
 
 const model_entry GMDS_FN(entry) = {.mask = GMDS__MASK,
+                                    .dim = 2,
                                     .triangulate = GMDS_FN(triangulate),
                                     .cells = GMDS_FN(cells),
                                     .give_back = GMDS_FN(give_back),

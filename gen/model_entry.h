@@ -9,9 +9,9 @@ typedef struct model_entry model_entry;
 
 typedef struct model_task {
   size_t n;                 /* points */
-  const double *xy;         /* n × 2 */
+  const double *xy;         /* n × 2, or n × 3 for a model of volumes */
   int verify;               /* also verify every stored relation */
-  gmds_soup *soup;          /* receives nodes and triangles, if not NULL */
+  gmds_soup *soup;          /* receives nodes and cells, if not NULL */
   const model_entry *owner; /* the model that borrowed relations for the run, and has the mesh back after it; or NULL */
   double (*now)(void);
   int threads; /* 0 counts as 1 */
@@ -23,8 +23,8 @@ typedef struct model_task {
 typedef struct model_report {
   double seconds;
   int dimension;
-  size_t duplicates, triangles, bytes, peak_bytes;
-  uint64_t sum; /* checksum of the triangles */
+  size_t duplicates, cells, bytes, peak_bytes;
+  uint64_t sum; /* checksum of the triangles, or tetrahedra */
 } model_report;
 
 /* `gmds bench cells`: what is done with a mesh of triangles, and what came of it. */
@@ -61,11 +61,12 @@ typedef struct cells_report {
 
 struct model_entry {
   unsigned mask;
+  int dim; /* 2, or 3 for a model of volumes, which has neither `cells` nor `give_back` */
   gmds_status (*triangulate)(const model_task *task, model_report *report);
   gmds_status (*cells)(const cells_task *task, cells_report *report);
   /* Takes what another model has triangulated since `begin`, and reports on it. */
   gmds_status (*give_back)(const model_task *task, double begin, gmds_parts *parts, model_report *report);
-  int code[3][3]; /* the paths that the preprocessor chose (models/choice.h) */
+  int code[4][4]; /* the paths that the preprocessor chose (models/choice.h) */
 };
 
 #endif

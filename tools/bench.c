@@ -114,7 +114,7 @@ static int bench_cells(const verb *v, const char *size, const char *model, int j
     return misused(v, "--n is a number from 1 to 20000, not '%s'", size);
   gmds_error error = {.status = GMDS_OK};
   model_choice choice;
-  if (find_model(model, &error, &choice) != GMDS_OK)
+  if (find_model(model, 2, &error, &choice) != GMDS_OK)
     return failed("%s", error.text);
   if (choice.owner)
     return failed("bench cells measures one model: '%s' borrows from another", choice.name);

@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "command.h"
 #include "registry.h"
+#include <gmds/named.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -143,6 +144,15 @@ const model_entry *const *all_models(size_t *n)
   return models;
 }
 
+static void count_surfaces(size_t *n)
+{
+  size_t all = 0;
+  const model_entry *const *models = all_models(&all);
+  *n = 0;
+  for (size_t k = 0; k < all; k++)
+    *n += models[k]->dim == 2;
+}
+
 static const model_entry *find_mask(unsigned mask)
 {
   size_t n = 0;
@@ -153,26 +163,42 @@ static const model_entry *find_mask(unsigned mask)
   return NULL;
 }
 
+/* The mask that a name of named.h stands for, or the text itself. */
+static const char *mask_of_name(const char *text)
+{
+#define NAME(name, mask, why)   \
+  if (strcmp(text, #name) == 0) \
+    return mask;
+  GMDS_NAMED_LIST(NAME)
+#undef NAME
+  return text;
+}
+
 /* The model of a mask without borrowed relations. */
-static gmds_status find_stored(const char *text, gmds_error *error, const model_entry **entry)
+static gmds_status find_stored(const char *text, int dim, gmds_error *error, const model_entry **entry)
 {
   unsigned mask = 0;
   size_t n = 0;
   if (strcmp(text, "cmap") == 0)
     return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model 'cmap': this version has no combinatorial maps");
-  GMDS_TRY(gmds_mask_parse(text, error, &mask));
-  mask |= GMDS_N | GMDS_F;
-  mask &= ~(unsigned)GMDS_DIM2;
+  GMDS_TRY(gmds_mask_parse(dim == 3 ? mask_of_name(text) : text, error, &mask));
+  mask |= GMDS_N | (dim == 2 ? GMDS_F : GMDS_R);
+  mask &= ~(unsigned)(dim == 2 ? GMDS_DIM2 : GMDS_DIM3);
   *entry = find_mask(mask);
   if (*entry)
     return GMDS_OK;
-  for (int j = 0; j <= 2; j += 2)
-    if (gmds_path_of(mask, 2, j).cost == GMDS_COST_NONE) {
-      char advice[256];
-      gmds_path_advice(2, j, sizeof advice, advice);
-      return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%.80s' cannot answer 2->%d: %s", text, j, advice);
+  for (int j = 0; j <= dim; j += dim)
+    if (gmds_path_of(mask, dim, j).cost == GMDS_COST_NONE) {
+      char advice[512];
+      gmds_path_advice(dim, j, sizeof advice, advice);
+      return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%.80s' cannot answer %d->%d: %s", text, dim, j, advice);
     }
-  all_models(&n);
+  count_surfaces(&n);
+  if (dim == 3)
+    return gmds_fail(error, GMDS_ERR_UNSUPPORTED,
+                     "model '%.80s' is none of the models of volumes that this command holds: F1 to F6, R1 to R4, "
+                     "N|R|R2N, N|R|R2N|R2R, N|R|N2R|R2N|R2R and the 64 that `sweep --dim 3 --models paths` runs",
+                     text);
   return gmds_fail(
       error, GMDS_ERR_UNSUPPORTED,
       "model '%.80s' is none of the %zu that this command holds: masks of N, F, E and the relations N2E N2F E2N E2F "
@@ -210,7 +236,7 @@ static gmds_status lend(const char *word, gmds_error *error, model_choice *choic
   if (strchr(letters, 'E') && !(choice->owner->mask & GMDS_E))
     return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%s' keeps no edges: it cannot borrow %s", name, letters);
   const model_entry *lender = find_mask(choice->runs->mask | relation);
-  all_models(&n);
+  count_surfaces(&n);
   if (!lender)
     return gmds_fail(error, GMDS_ERR_UNSUPPORTED,
                      "model '%s' cannot borrow %s: the %zu models of this command store N2E N2F E2N E2F F2N F2E F2F",
@@ -225,7 +251,7 @@ void choose_model(const model_entry *entry, model_choice *choice)
   gmds_mask_text(entry->mask, sizeof choice->name, choice->name);
 }
 
-gmds_status find_model(const char *text, gmds_error *error, model_choice *choice)
+gmds_status find_model(const char *text, int dim, gmds_error *error, model_choice *choice)
 {
   char words[256];
   const model_entry *entry = NULL;
@@ -235,9 +261,12 @@ gmds_status find_model(const char *text, gmds_error *error, model_choice *choice
   snprintf(words, sizeof words, "%.*s", (int)length, text);
   for (size_t k = strlen(words); k && words[k - 1] == ' '; k--)
     words[k - 1] = 0;
-  GMDS_TRY(find_stored(words, error, &entry));
+  GMDS_TRY(find_stored(words, dim, error, &entry));
   model_choice found;
   choose_model(entry, &found);
+  if (text[at] && dim == 3)
+    return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%.80s': a model of volumes borrows nothing in this version",
+                     text);
   while (text[at]) { /* at a plus sign */
     found.owner = entry;
     length = strcspn(text + at + 1, "+");

@@ -81,7 +81,10 @@ static void print_path(unsigned mask, int i, int j)
     printf(", less the cell itself");
   if (p.table)
     printf("; Table %d", p.table);
-  if (i < 3 && j < 3 && p.exact == 1)
+  if (mask & GMDS_R) {
+    if (p.exact_regions == 1)
+      printf("; decided on tetrahedra only");
+  } else if (p.exact == 1)
     printf("; decided on triangles only");
   printf("\n");
 }

@@ -3,6 +3,7 @@
 #define _DEFAULT_SOURCE
 #include "command.h"
 #include "file.h"
+#include <gmds/named.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -36,6 +37,7 @@ static const table4_row table4[] = {{"F|N|N2F|F2N", 2334720},
 typedef struct sweep {
   const char *points, *models, *expect, *csv, *plot;
   unsigned long jobs;
+  int dim;
   model_choice *chosen;
   size_t n;
   sweep_row *rows; /* shared with the processes that run the models */
@@ -43,28 +45,64 @@ typedef struct sweep {
 
 /* ---- which models */
 
-static gmds_status choose(sweep *s, gmds_error *error)
+/* Adds the models of volumes of a word: `named`, those of named.h and the one for Delaunay triangulations; `paths`, the 64
+ * that take every path. */
+static gmds_status choose_volumes(sweep *s, gmds_error *error)
+{
+#define NAME(name, mask, why) #name,
+  static const char *const named[] = {GMDS_NAMED_LIST(NAME) "N|R|R2N|R2R"};
+#undef NAME
+  for (size_t k = 0; strcmp(s->models, "named") == 0 && k < sizeof named / sizeof *named; k++)
+    GMDS_TRY(find_model(named[k], 3, error, &s->chosen[s->n++]));
+  if (s->n)
+    return GMDS_OK;
+  unsigned masks[GMDS_PATH_MODELS];
+  gmds_census_paths(masks);
+  for (size_t k = 0; k < GMDS_PATH_MODELS; k++) {
+    char text[128];
+    gmds_mask_text(masks[k], sizeof text, text);
+    GMDS_TRY(find_model(text, 3, error, &s->chosen[s->n++]));
+  }
+  return GMDS_OK;
+}
+
+static gmds_status choose_surfaces(sweep *s, gmds_error *error)
 {
   size_t n_all = 0;
   const model_entry *const *models = all_models(&n_all);
-  int all = strcmp(s->models, "all") == 0, paper = strcmp(s->models, "paper105") == 0;
-  int fourth = strcmp(s->models, "table4") == 0;
-  size_t most = n_all + sizeof table4 / sizeof *table4 + strlen(s->models);
-  s->chosen = calloc(most, sizeof *s->chosen);
+  const int all = strcmp(s->models, "all") == 0;
+  for (size_t k = 0; k < n_all; k++)
+    if (models[k]->dim == 2 &&
+        (all || (strcmp(s->models, "paper105") == 0 && gmds_census_of(models[k]->mask, 2).paper105)))
+      choose_model(models[k], &s->chosen[s->n++]);
+  for (size_t k = 0; !s->n && k < sizeof table4 / sizeof *table4; k++)
+    GMDS_TRY(find_model(table4[k].mask, 2, error, &s->chosen[s->n++]));
+  return GMDS_OK;
+}
+
+static int is_word(const char *text, int dim)
+{
+  static const char *const words[2][3] = {{"all", "paper105", "table4"}, {"named", "paths", "paths"}};
+  for (int k = 0; k < 3; k++)
+    if (strcmp(text, words[dim - 2][k]) == 0)
+      return 1;
+  return 0;
+}
+
+static gmds_status choose(sweep *s, gmds_error *error)
+{
+  size_t n_all = 0;
+  (void)all_models(&n_all);
+  s->chosen = calloc(n_all + strlen(s->models) + 32, sizeof *s->chosen);
   if (!s->chosen)
     return gmds_fail(error, GMDS_ERR_MEMORY, "out of memory for the list of models");
-  for (size_t k = 0; k < n_all && (all || paper); k++)
-    if (all || gmds_census_of(models[k]->mask, 2).paper105)
-      choose_model(models[k], &s->chosen[s->n++]);
-  for (size_t k = 0; fourth && k < sizeof table4 / sizeof *table4; k++)
-    GMDS_TRY(find_model(table4[k].mask, error, &s->chosen[s->n++]));
-  if (all || paper || fourth)
-    return GMDS_OK;
+  if (is_word(s->models, s->dim))
+    return s->dim == 3 ? choose_volumes(s, error) : choose_surfaces(s, error);
   for (const char *at = s->models;; at++) {
     char text[512]; /* find_model() refuses what is half as long */
     size_t length = strcspn(at, ",");
     snprintf(text, sizeof text, "%.*s", length > 511 ? 511 : (int)length, at);
-    GMDS_TRY(find_model(text, error, &s->chosen[s->n]));
+    GMDS_TRY(find_model(text, s->dim, error, &s->chosen[s->n]));
     s->n++;
     at += length;
     if (!*at)
@@ -129,7 +167,7 @@ static void print_row(FILE *file, const sweep_row *r, int csv)
 {
   const char *form = csv ? r->ok ? "%s,%zu,%zu,%.6f,%zu,%zu,%016llx,%s\n" : "%s,%zu,%zu,%.6f,%zu,%zu,%016llx,\"%s\"\n"
                          : "%-36s %8zu %9zu %11.6f %11zu %11zu  %016llx  %s\n";
-  fprintf(file, form, r->model, r->points, r->report.triangles, r->report.seconds, r->report.bytes,
+  fprintf(file, form, r->model, r->points, r->report.cells, r->report.seconds, r->report.bytes,
           r->report.peak_bytes, (unsigned long long)r->report.sum, r->status);
 }
 
@@ -199,9 +237,9 @@ static int run_sweep(sweep *s)
   gmds_soup points;
   int code = FAILED;
   gmds_memory_init(&memory, NULL);
-  gmds_soup_init(&points, &memory, 2);
+  gmds_soup_init(&points, &memory, s->dim);
   if (choose(s, &error) != GMDS_OK || try_output(s->csv, &error) != GMDS_OK || try_output(s->plot, &error) != GMDS_OK ||
-      gmds_make_points(s->points, 2, &error, &points) != GMDS_OK) {
+      gmds_make_points(s->points, s->dim, &error, &points) != GMDS_OK) {
     code = failed("%s", error.text);
     goto end;
   }
@@ -231,13 +269,14 @@ static int is_checksum(const char *text)
 
 static int run(const verb *v, int argc, char **argv)
 {
-  sweep s = {.points = "random:1225:1", .models = "all"};
+  sweep s = {.points = "random:1225:1"};
   const char *dim = "2", *jobs = "1";
   const option options[] = {
       {"points", 0, &s.points, NULL, "SPEC  random:N:SEED, grid:N, circle:N, clusters:N:SEED or a file"},
       {"models", 0, &s.models, NULL,
-       "all | paper105 | table4 | masks with commas between, MASK +X2Y borrows (default all)"},
-      {"dim", 0, &dim, NULL, "2  dimension (this version: the plane)"},
+       "all | paper105 | table4 | masks with commas between, MASK +X2Y borrows (default all); "
+       "--dim 3: named | paths | masks and names F1 to F6, R1 to R4 (default named)"},
+      {"dim", 0, &dim, NULL, "2|3  dimension (default 2)"},
       {"expect", 0, &s.expect, NULL, "SUM  16 hexadecimal digits that every checksum must equal"},
       {"csv", 0, &s.csv, NULL, "FILE  the table as CSV"},
       {"plot", 0, &s.plot, NULL, "FILE.svg  time against bytes, one dot a model"},
@@ -248,8 +287,9 @@ static int run(const verb *v, int argc, char **argv)
   unsigned long number = 0;
   if (!read_number(dim, 2, 3, &number))
     return misused(v, "--dim is 2 or 3, not '%s'", dim);
-  if (number == 3)
-    return failed("--dim 3: this version triangulates the plane only");
+  s.dim = (int)number;
+  if (!s.models)
+    s.models = s.dim == 3 ? "named" : "all";
   if (!read_number(jobs, 1, 1024, &s.jobs))
     return misused(v, "--jobs is a number from 1, not '%s'", jobs);
   if (s.expect && !is_checksum(s.expect))
@@ -262,5 +302,6 @@ static int run(const verb *v, int argc, char **argv)
 }
 
 const verb verb_sweep = {
-    "sweep", "[--points SPEC] [--models LIST] [--expect SUM] [--csv FILE] [--plot FILE.svg] [--jobs J]",
+    "sweep", "[--points SPEC] [--models LIST] [--dim 2|3] [--expect SUM] [--csv FILE] [--plot FILE.svg] "
+             "[--jobs J]",
     "one Bowyer-Watson text over many mesh models: time and memory of each, results compared", run};
