@@ -1,12 +1,23 @@
 # cmake -DMODE=... -P compare.cmake
-#   expected  each line of expected.txt (SPEC CHECKSUM) is what PROGRAM prints
+#   expected  each line of expected<DIM>.txt (SPEC CHECKSUM; DIM is 2 unless given) is what PROGRAM prints
 #   files     on every point set of FOLDER (.xy, .xyz; .xz unpacked by XZ into SCRATCH) OURS prints what ORACLE prints
-#   write     writes expected.txt anew: its SPECs, and what ORACLE prints
+#   write     writes expected<DIM>.txt anew: its SPECs, and what ORACLE prints
 cmake_minimum_required(VERSION 3.25)
-set(list ${CMAKE_CURRENT_LIST_DIR}/expected.txt)
+if(NOT DIM)
+  set(DIM 2)
+endif()
+set(list ${CMAKE_CURRENT_LIST_DIR}/expected${DIM}.txt)
+set(ours_in_space "")
+if(DIM EQUAL 3)
+  set(ours_in_space 3) # delaunay_checksum takes the dimension, the oracles have one
+endif()
 
 function(checksum program spec result)
-  execute_process(COMMAND ${program} ${spec} WORKING_DIRECTORY ${CMAKE_CURRENT_LIST_DIR}
+  set(more "")
+  if(program MATCHES "delaunay_checksum")
+    set(more ${ours_in_space})
+  endif()
+  execute_process(COMMAND ${program} ${spec} ${more} WORKING_DIRECTORY ${CMAKE_CURRENT_LIST_DIR}
     OUTPUT_VARIABLE sum ERROR_VARIABLE said RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE)
   if(failed)
     set(sum "failed (${failed}) ${said}")
@@ -15,7 +26,11 @@ function(checksum program spec result)
 endfunction()
 
 if(MODE STREQUAL "files")
-  file(GLOB files ${FOLDER}/*.xy ${FOLDER}/*.xyz ${FOLDER}/*.xy.xz ${FOLDER}/*.xyz.xz)
+  file(GLOB files ${FOLDER}/*.xyz ${FOLDER}/*.xyz.xz)
+  if(DIM EQUAL 2)
+    file(GLOB flat ${FOLDER}/*.xy ${FOLDER}/*.xy.xz)
+    list(APPEND files ${flat})
+  endif()
   set(compared 0)
   foreach(file ${files})
     cmake_path(GET file FILENAME name)

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Every model of the command against CGAL's checksums: sweep.sh small|large GMDS FOLDER_OF_THIS [ORACLE FOLDER_OF_POINTS]
-#   small  the inputs of expected.txt with at most 1300 points, and point files with at most 2500, on all models
+#   small  the inputs of expected2.txt with at most 1300 points, and point files with at most 2500, on all models
 #   large  the larger point files, on every model that answers all queries locally
-# Point files need the oracle; without it only expected.txt is used.
+# Point files need the oracle; without it only expected2.txt is used.
 set -eu
 mode=$1 gmds=$2 here=$3 oracle=${4:-} folder=${5:-}
 scratch=$(mktemp -d)
@@ -28,7 +28,7 @@ if [ "$mode" = small ]; then
       '#'* | grid:100 | random:20000:7 | clusters:5000:3) ;;
       *) sweep "$points" "$sum" all ;;
     esac
-  done <expected.txt
+  done <expected2.txt
 fi
 
 if [ -n "$oracle" ] && [ -n "$folder" ]; then
