@@ -74,8 +74,8 @@ bootstrap() {
       fi
     fi
   else
-    say "no apt-get here, so please install a C compiler, cmake 3.25 or later, make or ninja, to read VTU Expat and zlib, and, for all tests," \
-      "pkg-config, Check, xz and a C++ compiler with GMP, MPFR and CGAL"
+    say "no apt-get here, so please install a C compiler, cmake 3.25 or later, make or ninja, Expat and zlib for" \
+      "reading VTU, and, for all tests, pkg-config, Check, xz and a C++ compiler with GMP, MPFR and CGAL"
   fi
   require_compiler_and_cmake
   if has ninja; then

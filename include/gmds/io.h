@@ -1,5 +1,13 @@
 /* Files and made-up input. Numbers are read and written without regard to the locale; what is written reads back bit
- * for bit. A reader never trusts a count: each is held against the bytes that remain before anything is allocated. */
+ * for bit. A reader never trusts a count: each is held against the bytes that remain before anything is allocated.
+ *
+ * What stands beside points and cells becomes attributes of the soup: arrays of VTK and VTU in the type that holds them;
+ * reference numbers of Medit as int "ref"; physical and geometrical tags of Gmsh as int "physical" and "geometrical"
+ * (in version 4.1 the first group of the entity), its node and element data as doubles. Tags that are all 0 make no
+ * attribute. What a soup has no place for is counted in `unread`: strings, fields of a whole grid and tables of colours
+ * of VTK, names of groups and periodic links of Gmsh, corners and ridges of Medit; metadata and comments are not.
+ * Prisms are taken over as they are listed, although VTK's documents turn their triangles the other way than Medit's and
+ * Gmsh's: programs that write them do the same. */
 #ifndef GMDS_IO_H
 #define GMDS_IO_H
 
@@ -32,7 +40,8 @@ gmds_status gmds_format_of_path(const char *path, gmds_error *error, gmds_format
  *   dim        2 or 3: points get that many coordinates; 0: as many as are needed (3 when any third one is not 0 or
  *              there is a cell of dimension 3, else 2). From 3 to 2 the third coordinate must be 0 and no cell of
  *              dimension 3, unless the file holds points only, whose third coordinate is dropped
- * GMDS_OK; GMDS_ERR_OPEN, _READ, _FORMAT, _COORDINATE (NaN or infinity), _UNSUPPORTED, _TOO_MANY, _MEMORY, and
+ * GMDS_OK; GMDS_ERR_OPEN, _READ, _FORMAT, _COORDINATE (NaN or infinity), _UNSUPPORTED (curved cells, and VTU where the
+ * library was built without Expat, or without zlib and the file is compressed, among others), _TOO_MANY, _MEMORY, and
  * _ARGUMENT (another dim, raw doubles with dim 0, a soup that is not empty). `error` names file, line (or byte) and
  * what was expected. The soup must be initialised and empty; on failure it stays so. On success soup->dim is what came
  * out and its arrays have no room to spare. */
