@@ -43,7 +43,7 @@ static gmds_status read_view(gmds_gmsh *gmsh, view *v)
   int *const integers[] = {&v->step, &v->components, &v->rows};
   gmds_gmsh text = *gmsh; /* tags are text */
   text.binary = 0;
-  *v = (view){.components = 1};
+  *v = (view){.name = {"view", 4}, .components = 1};
   GMDS_TRY(read_count(gmsh, "a number of string tags", &n));
   for (uint64_t k = 0; k < n; k++)
     GMDS_TRY(read_string(gmsh, k ? &string : &v->name));

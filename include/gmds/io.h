@@ -20,6 +20,9 @@ extern "C" {
 /* X(name, extension, text) */
 #define GMDS_FORMAT_LIST(X)                               \
   X(GMDS_FORMAT_OFF, ".off", "OFF")                       \
+  X(GMDS_FORMAT_OBJ, ".obj", "OBJ")                       \
+  X(GMDS_FORMAT_PLY, ".ply", "PLY")                       \
+  X(GMDS_FORMAT_STL, ".stl", "STL")                       \
   X(GMDS_FORMAT_VTK, ".vtk", "VTK legacy")                \
   X(GMDS_FORMAT_VTU, ".vtu", "VTU")                       \
   X(GMDS_FORMAT_MEDIT, ".mesh", "Medit")                  \

@@ -4,6 +4,13 @@
 
 /* X(file, points, vertices, edges, faces, volumes) */
 #define MESH_LIST(X)                                                        \
+  X("surfaces/bff_kitten.obj.xz", 53123, 0, 0, 106246, 0)                   \
+  X("surfaces/cinolib_bamboo_pen.obj.xz", 1146, 0, 0, 1160, 0)              \
+  X("surfaces/geometry-central_moebius.obj", 280, 0, 0, 224, 0)             \
+  X("surfaces/gpjs_soccerball.obj.xz", 28740, 0, 0, 57600, 0)               \
+  X("surfaces/loopycuts_dancer.obj.xz", 16004, 0, 0, 32008, 0)              \
+  X("surfaces/openscad_far-out-ring.stl.xz", 1536, 0, 0, 3072, 0)           \
+  X("surfaces/vtkdata_turbineblade.ply.xz", 99519, 0, 0, 199034, 0)         \
   X("surfaces/cgal_3torus.off", 19, 0, 0, 23, 0)                            \
   X("surfaces/cgal_armadillo.off.xz", 26002, 0, 0, 52000, 0)                \
   X("surfaces/cgal_blade_open.off.xz", 8231, 0, 0, 16222, 0)                \

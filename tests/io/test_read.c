@@ -103,6 +103,16 @@ END_TEST
 #define WHOLE_LIST(X)                                                                                                  \
   X("VTK polyhedron", FIVE "polyhedron 4 3 0 2 1 3 0 1 3 3 0 3 2 3 1 2 3; tetrahedron 0 1 2 4; ",                      \
     "cells a b byte: 1,2 255,0; cells c float: 0.5 1; cells t double: 1,2,3,4,5,6,7,8,9 9,8,7,6,5,4,3,2,inf; ")        \
+  X("OBJ",                                                                                                             \
+    "0,0,0 1,0,0 1,1,0 0,1,0.5 2,2,2 quadrilateral 0 1 2 3; triangle 3 2 1; edge 0 1; edge 1 2; vertex 3; polygon 0 "  \
+    "1 2 3 4; ",                                                                                                       \
+    "")                                                                                                                \
+  X("PLY",                                                                                                             \
+    "0,0,0 1,0,0 1,1,0 0,1,1 quadrilateral 0 1 2 3; triangle 0 1 2; edge 3 1; triangle 0 1 2; triangle 2 1 3; ",       \
+    "points red byte: 1 2 3 255; cells q double: 0.5 nan 7.5 0 0; ")                                                   \
+  X("PLY of words", "0,0 1,0 0,1 triangle 0 1 2; ", "points t int: -1 0 1; ")                                          \
+  X("STL", "0,0,0 1,0,0 0,1,0 1,1,2 triangle 0 1 2; triangle 2 1 3; ", "")                                             \
+  X("STL of words", "0,0 1,0 0,1 1,1 triangle 0 1 2; triangle 2 1 3; ", "")                                            \
   X("VTU", FIVE BOTH, VTU_ATTRIBUTES)                                                                                  \
   X("VTU base64", FIVE BOTH, VTU_ATTRIBUTES)                                                                           \
   X("VTU compressed", FIVE BOTH, VTU_ATTRIBUTES)                                                                       \

@@ -190,6 +190,39 @@
     BAD_BINARY "POINTS 1 float\n\0\0\0\0\0\0\0\0\0\0\0\0\nCELLS 1 2\n\0\0\0\x01\0\0\0\x01\n"                           \
                "CELL_TYPES 1\n\0\0\0\x01\n",                                                                           \
     "name: byte 104: expected an index below 1, found 1")                                                              \
+  X(OBJ, FORMAT, "v 0 0\n", "name:1: expected a coordinate, found the end of the line")                                \
+  X(OBJ, FORMAT, "v 0 0 0\nv 1 0 0\nf 1 2 3\n", "name:3: expected an index from 1 to 2, found '3'")                    \
+  X(OBJ, FORMAT, "v 0 0 0\nv 1 0 0\nf 1 2 0\n", "name:3: expected an index from 1 to 2, found '0'")                    \
+  X(OBJ, FORMAT, "v 0 0 0\nv 1 0 0\nf 1 2 -3\n", "name:3: an index 3 back of 2 points")                                \
+  X(OBJ, FORMAT, "v 0 0 0\nv 1 0 0\nf 1 2\n", "name:3: a face of 2 points")                                            \
+  X(OBJ, FORMAT, "v 0 0 0\nl 1\n", "name:2: a line of 1 points")                                                       \
+  X(OBJ, UNSUPPORTED, "cstype bezier\n", "name:1: cstype: free-form curves and surfaces are not read")                 \
+  X(OBJ, FORMAT, "solid\n", "name:1: expected a keyword of OBJ, found 'solid'")                                        \
+  X(PLY, FORMAT, "plx\n", "name:1: expected ply, found 'plx'")                                                         \
+  X(PLY, FORMAT, "ply\nformat odd 1.0\n",                                                                              \
+    "name:2: expected ascii, binary_little_endian or binary_big_endian, found 'odd'")                                  \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nproperty int x\n", "name:3: a property before any element")                   \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\n",                                         \
+    "name:4: expected a type of numbers, found 'real'")                                                                \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float x\n",                      \
+    "name:5: a property is there a second time")                                                                       \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nelement vertex 1\nproperty float a\nproperty float a\n",                      \
+    "name:5: the attribute 'a' of points is there a second time")                                                      \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n",                         \
+    "name:6: an element lacks coordinates or indices of points")                                                       \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nelement vertex 900\nproperty float x\nproperty float y\nend_header\n0 0\n",   \
+    "name:7: 900 elements are declared, but only 4 bytes remain")                                                      \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n0 0\n",                                         \
+    "name:5: an element lacks coordinates or indices of points")                                                       \
+  X(PLY, FORMAT,                                                                                                       \
+    "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty double x\nproperty double "                      \
+    "y\nend_header\n0123456789",                                                                                       \
+    "name: byte 108: expected a number, found the end of the file")                                                    \
+  X(STL, FORMAT, "solid\nfacet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0\n",                                     \
+    "name:3: expected a coordinate, found the end of the file")                                                        \
+  X(STL, FORMAT, "solid\n", "name:2: expected facet or endsolid, found the end of the file")                           \
+  X(STL, FORMAT, "stl\n", "name:1: expected solid, found 'stl'")                                                       \
+  X(STL, FORMAT, "solid\nendsolid\nmore\n", "name:3: expected solid, found 'more'")                                    \
   X(VTK, FORMAT, BAD_VTK BAD_TRIANGLE "CELLS 1 3\n2 1 0\nCELL_TYPES 1\n42\n",                                          \
     "name:8: expected a polyhedron of 4 faces or more, each of 3 points or more")                                      \
   X(VTK, FORMAT, BAD_VTK BAD_TRIANGLE "CELLS 1 18\n17 4 3 0 2 1 3 0 1 3 3 0 3 2 3 1 2 3\nCELL_TYPES 1\n42\n",          \
