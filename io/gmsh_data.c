@@ -1,5 +1,5 @@
-/* $NodeData and $ElementData of MSH files: attributes of doubles under the name of their view; a second one under a name
- * is told by its time step. Nodes and elements that a section does not list have 0. */
+/* $NodeData and $ElementData of MSH files: attributes of doubles under the name of their view; a second one under a
+ * name is told by its time step. Nodes and elements that a section does not list have 0. */
 #include "gmsh.h"
 #include <stdio.h>
 #include <string.h>

@@ -240,8 +240,8 @@ static gmds_status read_tags(gmds_gmsh *gmsh, int n, element *e)
   return GMDS_OK;
 }
 
-/* Text has `number type tags` before each element; words have `type elements tags` before several, `number` before each.
- */
+/* Text has `number type tags` before each element; words have `type elements tags` before several, `number` before
+ * each. */
 static gmds_status read_elements_2(gmds_gmsh *gmsh)
 {
   uint64_t n = 0;

@@ -1,6 +1,6 @@
-/* OBJ: points, and faces, lines and single points as lists of indices, which may count back from the last point. Texture
- * coordinates, normals, and groups and materials are counted once each and left out, as what follows the coordinates of
- * a point is; free-form curves and surfaces are refused. A line may go on behind a backslash. */
+/* OBJ: points, and faces, lines and single points as lists of indices, which may count back from the last point.
+ * Texture coordinates, normals, and groups and materials are counted once each and left out, as what follows the
+ * coordinates of a point is; free-form curves and surfaces are refused. A line may go on behind a backslash. */
 #include "readers.h"
 #include <string.h>
 

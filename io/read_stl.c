@@ -1,6 +1,6 @@
-/* STL, ASCII and binary: triangles, each with corners of its own, which are welded where all three coordinates are equal.
- * Normals are left out, as they follow from the corners; so are the two bytes behind a binary triangle, which are counted
- * where one is not 0. Triangles two corners of which are welded are left out and counted as degenerate. */
+/* STL, ASCII and binary: triangles, each with corners of its own, which are welded where all three coordinates are
+ * equal. Normals are left out, as they follow from the corners; so are the two bytes behind a binary triangle, which
+ * are counted where one is not 0. Triangles two corners of which are welded are left out and counted as degenerate. */
 #include "readers.h"
 #include <math.h>
 #include <string.h>

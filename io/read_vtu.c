@@ -1,6 +1,6 @@
 /* VTU: unstructured grids of VTK in XML, their arrays as text, in base64 or appended, compressed by zlib or not. Pieces
- * are joined; an attribute that a piece lacks is 0 there. Fields of the whole grid and strings are counted and left out.
- */
+ * are joined; an attribute that a piece lacks is 0 there. Fields of the whole grid and strings are counted and left
+ * out. */
 #include "vtu.h"
 #include "readers.h"
 #include <string.h>

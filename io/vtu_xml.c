@@ -171,8 +171,8 @@ static gmds_vtu_section section_of(const char *name)
   return (gmds_vtu_section)k;
 }
 
-/* VTKFile > UnstructuredGrid > Piece > Points, Cells, PointData, CellData > DataArray, and AppendedData beside the grid.
- */
+/* VTKFile > UnstructuredGrid > Piece > Points, Cells, PointData, CellData > DataArray, and AppendedData beside the
+ * grid. */
 static gmds_status open_element(tree *t, const char *name, const char **attributes)
 {
   gmds_vtu *vtu = t->vtu;

@@ -1,5 +1,5 @@
-/* Writer of PLY, ASCII and binary_little_endian: vertices of doubles and faces, an attribute of one component as a number
- * of each. */
+/* Writer of PLY, ASCII and binary_little_endian: vertices of doubles and faces, an attribute of one component as a
+ * number of each. */
 #include "value.h"
 #include "writers.h"
 #include <inttypes.h>

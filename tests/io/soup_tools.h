@@ -103,8 +103,8 @@ static inline const char *attributes_text(const gmds_soup *soup)
   return text;
 }
 
-/* Every attribute of `a` that a format holds is in `b`: in VTK's formats and PLY it is the same bit for bit, in Gmsh's the same
- * numbers. */
+/* Every attribute of `a` that a format holds is in `b`: in VTK's formats and PLY it is the same bit for bit, in Gmsh's
+ * the same numbers. */
 static inline void assert_same_attributes(gmds_format format, const gmds_soup *a, const gmds_soup *b)
 {
   int exact = format == GMDS_FORMAT_VTK || format == GMDS_FORMAT_VTU || format == GMDS_FORMAT_PLY;
