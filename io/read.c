@@ -47,6 +47,7 @@ gmds_status gmds_format_of_path(const char *path, gmds_error *error, gmds_format
   X(GMDS_FORMAT_VTK, gmds_read_vtk, 0)       \
   X(GMDS_FORMAT_VTU, gmds_read_vtu, 0)       \
   X(GMDS_FORMAT_MEDIT, gmds_read_medit, '#') \
+  X(GMDS_FORMAT_MESHB, gmds_read_meshb, 0)   \
   X(GMDS_FORMAT_GMSH, gmds_read_gmsh, 0)     \
   X(GMDS_FORMAT_NODE, gmds_read_node, '#')   \
   X(GMDS_FORMAT_F64, gmds_read_f64, 0)       \

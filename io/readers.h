@@ -12,6 +12,7 @@ gmds_status gmds_read_stl(gmds_text *text, gmds_stage *stage);
 gmds_status gmds_read_vtk(gmds_text *text, gmds_stage *stage);
 gmds_status gmds_read_vtu(gmds_text *text, gmds_stage *stage);
 gmds_status gmds_read_gmsh(gmds_text *text, gmds_stage *stage);
+gmds_status gmds_read_meshb(gmds_text *text, gmds_stage *stage);
 gmds_status gmds_read_medit(gmds_text *text, gmds_stage *stage);
 gmds_status gmds_read_node(gmds_text *text, gmds_stage *stage);
 gmds_status gmds_read_f64(gmds_text *text, gmds_stage *stage);

@@ -24,6 +24,7 @@ gmds_status gmds_write_stl(const gmds_sink *sink);
 gmds_status gmds_write_vtk(const gmds_sink *sink);
 gmds_status gmds_write_vtu(const gmds_sink *sink);
 gmds_status gmds_write_medit(const gmds_sink *sink);
+gmds_status gmds_write_meshb(const gmds_sink *sink);
 gmds_status gmds_write_gmsh(const gmds_sink *sink);
 gmds_status gmds_write_node(const gmds_sink *sink);
 gmds_status gmds_write_f64(const gmds_sink *sink);

@@ -335,7 +335,7 @@ static int run_check(const verb *v, int argc, char **argv)
 
 const verb verb_convert = {
     "convert", "IN OUT [--dim 2|3] [--text|--binary] [--format-version V]",
-    "a mesh or points from one format to another (.off .obj .ply .stl .vtk .vtu .mesh .msh .node "
+    "a mesh or points from one format to another (.off .obj .ply .stl .vtk .vtu .mesh .meshb .msh .node "
     ".txt .f64; a picture for .svg), with its attributes where the format has a place for them",
     run_convert};
 const verb verb_info = {"info", "FILE [--json] [--dim 2|3]",

@@ -27,6 +27,7 @@ extern "C" {
   X(GMDS_FORMAT_VTK, ".vtk", "VTK legacy")                \
   X(GMDS_FORMAT_VTU, ".vtu", "VTU")                       \
   X(GMDS_FORMAT_MEDIT, ".mesh", "Medit")                  \
+  X(GMDS_FORMAT_MESHB, ".meshb", "binary Medit")          \
   X(GMDS_FORMAT_GMSH, ".msh", "Gmsh")                     \
   X(GMDS_FORMAT_NODE, ".node", "Triangle points")         \
   X(GMDS_FORMAT_F64, ".f64", "raw little-endian doubles") \

@@ -285,6 +285,24 @@ static inline void make_binary_stl(sample_writer *w)
   }
 }
 
+/* Version 1, big-endian: a triangle with references, and a keyword that is not known. */
+static inline void make_meshb(sample_writer *w)
+{
+  static const unsigned head[] = {1, 1, 3, 20, 2, 4, 80, 3};
+  static const unsigned tail[] = {13, 96, 1, 2, 6, 124, 1, 1, 2, 3, 0xfffffff9u, 54, 0};
+  for (size_t k = 0; k < 8; k++)
+    put_big_endian(w, head[k], 4);
+  for (unsigned p = 0; p < 3; p++) {
+    put_big_endian(w, p == 1 ? 0x3f800000u : 0, 4);
+    put_big_endian(w, p == 2 ? 0x3f800000u : 0, 4);
+    put_big_endian(w, p, 4);
+  }
+  for (size_t k = 0; k < 3; k++) /* to the position that was announced */
+    put_big_endian(w, 0, 4);
+  for (size_t k = 0; k < sizeof tail / sizeof *tail; k++)
+    put_big_endian(w, tail[k], 4);
+}
+
 static inline void make_raw(sample_writer *w)
 {
   for (int k = 0; k < 6; k++) {
@@ -327,6 +345,7 @@ static inline void make_raw(sample_writer *w)
   X("VTK polyhedron", GMDS_FORMAT_VTK, 0, 0, SAMPLE_VTK_POLYHEDRON, NULL) \
   VTU_SAMPLES(X)                                                          \
   ZIP_SAMPLES(X)                                                          \
+  X("Medit of words", GMDS_FORMAT_MESHB, 0, 0, "", make_meshb)            \
   X("Gmsh 2.2", GMDS_FORMAT_GMSH, 0, 0, SAMPLE_GMSH_2, NULL)              \
   X("Gmsh 4.1", GMDS_FORMAT_GMSH, 0, 0, SAMPLE_GMSH_4, NULL)              \
   X("Gmsh 2.2 of words", GMDS_FORMAT_GMSH, 0, 0, "", make_binary_gmsh_2)  \

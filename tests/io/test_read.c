@@ -44,6 +44,8 @@ static const good cases[] = {
      "Vertices 3 0 0 1\n1 0 1\n0 1 1\nRequiredVertices 2 1 2\nBoundingBox 0 0 1 1\nEdges 1 3 1 5 Ridges 1 1\n"
      "NormalAtVertices 1 1 1 Normals 1 0 1 AngleOfCornerBound 30 Corners 0\nEND",
      "0,0 1,0 0,1 edge 2 0; "},
+    {GMDS_FORMAT_MEDIT, 0,
+     MEDIT_HEAD "Identifier\n\"a 2D mesh\"\nGeometry \"g\"\nVertices 1 0 1 0\nOther 2\n1 2 3 4\nEnd", "0,1 "},
     {GMDS_FORMAT_VTK, 0, VTK_HEAD "POINTS 0 float\nCELLS 0 0\nCELL_TYPES 0\n", ""},
     {GMDS_FORMAT_VTK, 0, VTK_HEAD SQUARE "CELLS 4 17\n4 0 1 2 3\n4 0 1 3 2\n2 0 1\n3 1 2 3\nCELL_TYPES 4\n8 9 3 7\n",
      SQUARE_POINTS "quadrilateral 0 1 3 2; quadrilateral 0 1 3 2; edge 0 1; triangle 1 2 3; "},
@@ -113,6 +115,7 @@ END_TEST
   X("PLY of words", "0,0 1,0 0,1 triangle 0 1 2; ", "points t int: -1 0 1; ")                                          \
   X("STL", "0,0,0 1,0,0 0,1,0 1,1,2 triangle 0 1 2; triangle 2 1 3; ", "")                                             \
   X("STL of words", "0,0 1,0 0,1 1,1 triangle 0 1 2; triangle 2 1 3; ", "")                                            \
+  X("Medit of words", "0,0 1,0 0,1 triangle 0 1 2; ", "points ref int: 0 1 2; cells ref int: -7; ")                    \
   X("VTU", FIVE BOTH, VTU_ATTRIBUTES)                                                                                  \
   X("VTU base64", FIVE BOTH, VTU_ATTRIBUTES)                                                                           \
   X("VTU compressed", FIVE BOTH, VTU_ATTRIBUTES)                                                                       \
@@ -155,6 +158,22 @@ START_TEST(samples_become_their_soups_with_attributes)
     }
     ck_assert(found || !strncmp(whole[k].text, "VTU", 3)); /* which needs a library to be read */
   }
+}
+END_TEST
+
+START_TEST(a_library_without_others_says_so)
+{
+  held *h = held_new(2);
+  const char *file = GMDS_HAVE_EXPAT ? SAMPLE_VTU_ZIP : SAMPLE_VTU_TEXT;
+  gmds_status status = read_bytes(h, GMDS_FORMAT_VTU, file, strlen(file), 0);
+  if (GMDS_HAVE_EXPAT && GMDS_HAVE_ZLIB) {
+    ck_assert_int_eq(status, GMDS_OK);
+  } else {
+    ck_assert_int_eq(status, GMDS_ERR_UNSUPPORTED);
+    ck_assert_msg(strstr(h->error.text, GMDS_HAVE_EXPAT ? "without zlib" : "without Expat") != NULL, "%s",
+                  h->error.text);
+  }
+  held_free(h);
 }
 END_TEST
 
@@ -243,7 +262,7 @@ START_TEST(formats_go_by_extension_in_any_case)
 END_TEST
 
 RUN_SUITE("reading", valid_files_become_their_soups, binary_vtk_files_become_their_soups,
-          samples_become_their_soups_with_attributes, every_sample_is_valid,
+          samples_become_their_soups_with_attributes, a_library_without_others_says_so, every_sample_is_valid,
           cells_with_a_repeated_corner_are_left_out_and_counted, a_plane_is_asked_for_of_points_in_space,
           volumes_stay_in_space, a_soup_that_is_not_empty_and_other_dimensions_are_refused,
           formats_go_by_extension_in_any_case)

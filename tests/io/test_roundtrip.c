@@ -12,36 +12,38 @@
 #define FLAT_USUAL (FLAT & USUAL_TYPES)
 
 /* X(file name, dim, types of cells that go through it unchanged, one bit each, encoding, version) */
-#define ROUND_LIST(X)                                      \
-  X("a.off", 2, FACES, USUAL, 0)                           \
-  X("a.off", 3, FACES, USUAL, 0)                           \
-  X("a.obj", 2, FLAT, USUAL, 0)                            \
-  X("a.obj", 3, FLAT, TEXT, 0)                             \
-  X("a.ply", 2, FACES, USUAL, 0)                           \
-  X("a.ply", 3, FACES, TEXT, 10)                           \
-  X("a.ply", 3, FACES, BINARY, 0)                          \
-  X("a.vtk", 2, FLAT, USUAL, 0)                            \
-  X("a.vtk", 3, ALL, TEXT, 30)                             \
-  X("a.vtk", 3, ALL, BINARY, 30)                           \
-  X("a.vtk", 3, ALL, TEXT, 51)                             \
-  X("a.vtk", 2, FLAT, BINARY, 51)                          \
-  X("a.vtk", 3, ALL, BINARY, 51)                           \
-  X("a.vtu", 2, FLAT, USUAL, 0)                            \
-  X("a.vtu", 3, ALL, TEXT, 0)                              \
-  X("a.vtu", 3, ALL, BINARY, 0)                            \
-  X("a.mesh", 2, FLAT_USUAL - BIT(GMDS_VERTEX), USUAL, 0)  \
-  X("a.mesh", 3, USUAL_TYPES - BIT(GMDS_VERTEX), TEXT, 20) \
-  X("a.msh", 2, FLAT_USUAL, USUAL, 0)                      \
-  X("a.msh", 3, USUAL_TYPES, TEXT, 41)                     \
-  X("a.msh", 3, USUAL_TYPES, BINARY, 41)                   \
-  X("a.msh", 3, USUAL_TYPES, TEXT, 22)                     \
-  X("a.msh", 2, FLAT_USUAL, BINARY, 22)                    \
-  X("a.msh", 3, USUAL_TYPES, BINARY, 22)                   \
-  X("a.node", 2, 0, USUAL, 0)                              \
-  X("a.node", 3, 0, USUAL, 0)                              \
-  X("a.f64", 2, 0, USUAL, 0)                               \
-  X("a.f64", 3, 0, BINARY, 0)                              \
-  X("a.txt", 2, 0, USUAL, 0)                               \
+#define ROUND_LIST(X)                                         \
+  X("a.off", 2, FACES, USUAL, 0)                              \
+  X("a.off", 3, FACES, USUAL, 0)                              \
+  X("a.obj", 2, FLAT, USUAL, 0)                               \
+  X("a.obj", 3, FLAT, TEXT, 0)                                \
+  X("a.ply", 2, FACES, USUAL, 0)                              \
+  X("a.ply", 3, FACES, TEXT, 10)                              \
+  X("a.ply", 3, FACES, BINARY, 0)                             \
+  X("a.vtk", 2, FLAT, USUAL, 0)                               \
+  X("a.vtk", 3, ALL, TEXT, 30)                                \
+  X("a.vtk", 3, ALL, BINARY, 30)                              \
+  X("a.vtk", 3, ALL, TEXT, 51)                                \
+  X("a.vtk", 2, FLAT, BINARY, 51)                             \
+  X("a.vtk", 3, ALL, BINARY, 51)                              \
+  X("a.vtu", 2, FLAT, USUAL, 0)                               \
+  X("a.vtu", 3, ALL, TEXT, 0)                                 \
+  X("a.vtu", 3, ALL, BINARY, 0)                               \
+  X("a.mesh", 2, FLAT_USUAL - BIT(GMDS_VERTEX), USUAL, 0)     \
+  X("a.mesh", 3, USUAL_TYPES - BIT(GMDS_VERTEX), TEXT, 20)    \
+  X("a.meshb", 2, FLAT_USUAL - BIT(GMDS_VERTEX), USUAL, 0)    \
+  X("a.meshb", 3, USUAL_TYPES - BIT(GMDS_VERTEX), BINARY, 30) \
+  X("a.msh", 2, FLAT_USUAL, USUAL, 0)                         \
+  X("a.msh", 3, USUAL_TYPES, TEXT, 41)                        \
+  X("a.msh", 3, USUAL_TYPES, BINARY, 41)                      \
+  X("a.msh", 3, USUAL_TYPES, TEXT, 22)                        \
+  X("a.msh", 2, FLAT_USUAL, BINARY, 22)                       \
+  X("a.msh", 3, USUAL_TYPES, BINARY, 22)                      \
+  X("a.node", 2, 0, USUAL, 0)                                 \
+  X("a.node", 3, 0, USUAL, 0)                                 \
+  X("a.f64", 2, 0, USUAL, 0)                                  \
+  X("a.f64", 3, 0, BINARY, 0)                                 \
+  X("a.txt", 2, 0, USUAL, 0)                                  \
   X("a.csv", 3, 0, TEXT, 0)
 
 static const struct {

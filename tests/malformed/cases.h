@@ -22,6 +22,7 @@
   "<Cells><DataArray type=\"Int32\" Name=\"connectivity\">" connectivity "</DataArray>\n" \
   "<DataArray type=\"Int32\" Name=\"offsets\">" offsets "</DataArray>\n"                  \
   "<DataArray type=\"Int32\" Name=\"types\">" types "</DataArray></Cells>\n"
+#define BAD_MESHB "\1\0\0\0\1\0\0\0\3\0\0\0\0\0\0\0\3\0\0\0"
 #define BAD_MEDIT "MeshVersionFormatted 1\nDimension 2\n"
 #define BAD_MEDIT_TRIANGLE BAD_MEDIT "Vertices 3\n0 0 1\n1 0 1\n0 1 1\n"
 
@@ -235,6 +236,16 @@
     "name:10: expected a whole number that its type holds, found '256'")                                               \
   X(VTK, UNSUPPORTED, BAD_POLYDATA BAD_TRIANGLE "POLYGONS 0 0\nLINES 0 0\n",                                           \
     "name:8: LINES behind POLYGONS: only the usual order is read")                                                     \
+  X(MESHB, FORMAT, "MeshVersionFormatted 2", "name: byte 0: expected the number 1 as an int")                          \
+  X(MESHB, UNSUPPORTED, "\1\0\0\0\7\0\0\0", "name: byte 8: expected a version from 1 to 4, found 7")                   \
+  X(MESHB, FORMAT, BAD_MESHB, "name: byte 20: expected a keyword, found the end of the file")                          \
+  X(MESHB, FORMAT, BAD_MESHB "\4\0\0\0\0\0\0\0\4\0\0\0",                                                               \
+    "name: byte 32: 4 Vertices are declared, but only 0 bytes remain")                                                 \
+  X(MESHB, FORMAT, BAD_MESHB "\5\0\0\0\0\0\0\0\1\0\0\0\1\0\0\0\2\0\0\0\0\0\0\0",                                       \
+    "name: byte 32: expected an index from 1 to 0, found 1")                                                           \
+  X(MESHB, UNSUPPORTED, BAD_MESHB "\x18\0\0\0\0\0\0\0",                                                                \
+    "name: byte 28: TrianglesP2: only cells of the first order are read")                                              \
+  X(MESHB, FORMAT, BAD_MESHB "\x63\0\0\0\5\0\0\0", "name: byte 28: expected a position from here to the end, found 5") \
   X(GMSH, FORMAT, "", "name:1: expected $MeshFormat, found the end of the file")                                       \
   X(GMSH, UNSUPPORTED, "$MeshFormat\n4.0 0 8\n", "name:2: version 4: only 2.2 and 4.1 are read")                       \
   X(GMSH, UNSUPPORTED, "$MeshFormat\n4.1 0 4\n", "name:2: expected 0 or 1 and a size of 8, found 0 and 4")             \
