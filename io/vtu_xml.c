@@ -284,7 +284,9 @@ static gmds_status parse(tree *t)
     if (last)
       break;
   }
-  return GMDS_OK;
+  if (end == text->end || t->depth == 2) /* every array has its end */
+    return GMDS_OK;
+  return gmds_text_fail(text, GMDS_ERR_FORMAT, -1, "AppendedData is not behind the grid");
 }
 
 gmds_status gmds_vtu_parse(gmds_vtu *vtu)

@@ -288,6 +288,10 @@
 #define MALFORMED_VTU_LIST(X)                                                                                          \
   X(VTU, FORMAT, "", "name:1: this is not XML: no element found")                                                      \
   X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\">\n<x></VTKFile>", "name:2: this is not XML: mismatched tag")      \
+  X(VTU, FORMAT,                                                                                                       \
+    BAD_VTU "<Piece NumberOfPoints=\"3\" NumberOfCells=\"0\"><PointData><DataArray type=\"Int8\" "                     \
+            "Name=\"a\"><AppendedData encoding=\"raw\">_1",                                                            \
+    "name:2: AppendedData is not behind the grid")                                                                     \
   X(VTU, FORMAT, "<vtk/>", "name:1: expected VTKFile, found 'vtk'")                                                    \
   X(VTU, UNSUPPORTED, "<VTKFile type=\"PolyData\"/>", "name:1: type PolyData: only UnstructuredGrid is read")          \
   X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\" byte_order=\"Middle\"/>",                                         \
