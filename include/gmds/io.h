@@ -6,9 +6,9 @@
  * "geometrical" (in version 4.1 the first group of the entity), its node and element data as doubles. Tags that are all
  * 0 make no attribute. What a soup has no place for is counted in `unread`: strings, fields of a whole grid and tables
  * of colours of VTK, names of groups and periodic links of Gmsh, corners and ridges of Medit, texture coordinates,
- * normals and groups of OBJ, lists of PLY that are not of points; metadata and comments are not, nor what follows from
- * the mesh. Prisms are taken over as they are listed, although VTK's documents turn their triangles the other way than
- * Medit's and Gmsh's: programs that write them do the same. */
+ * normals and groups of OBJ, lists of PLY that are not of points, what follows the points and faces of OFF and .node;
+ * metadata and comments are not, nor what follows from the mesh. Prisms are taken over as they are listed, although
+ * VTK's documents turn their triangles the other way than Medit's and Gmsh's: programs that write them do the same. */
 #ifndef GMDS_IO_H
 #define GMDS_IO_H
 
