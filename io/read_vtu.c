@@ -92,7 +92,7 @@ static gmds_status take_stream(gmds_vtu *vtu, cells *c, uint64_t end)
 {
   gmds_vtk_block *faces = &c->block[FACES];
   gmds_ids *corners = &vtu->stage->corners;
-  if (!c->has_faces || end < c->faces || end - c->faces > faces->left)
+  if (end < c->faces || end - c->faces > faces->left)
     return gmds_text_fail(&c->block[TYPES].text, GMDS_ERR_FORMAT, -1, "a polyhedron without faces");
   GMDS_TRY(gmds_stage_corners(vtu->stage, &faces->text, (size_t)(end - c->faces)));
   c->faces = end;
@@ -150,6 +150,17 @@ static gmds_status add_cells(gmds_vtu *vtu, cells *c, size_t n)
   return GMDS_OK;
 }
 
+/* Whether one of the cells is a polyhedron; some programs write empty arrays of faces where none is. */
+static gmds_status find_polyhedra(gmds_vtk_block types, size_t n, int *found)
+{
+  for (size_t k = 0; k < n; k++) {
+    uint64_t type = 0;
+    GMDS_TRY(gmds_vtk_whole(&types, "a type of a cell", &type));
+    *found |= type == GMDS_VTK_POLYHEDRON;
+  }
+  return GMDS_OK;
+}
+
 /* Opens the arrays of cells one after the other, offsets before what they count. */
 static gmds_status open_cells(gmds_vtu *vtu, size_t piece, gmds_bytes bytes[CELL_ARRAYS], cells *c)
 {
@@ -170,6 +181,8 @@ static gmds_status open_cells(gmds_vtu *vtu, size_t piece, gmds_bytes bytes[CELL
     if (which == FACES)
       GMDS_TRY(last_offset(c->block[FACE_OFFSETS], (size_t)n, 1, &count));
     GMDS_TRY(gmds_vtu_open(vtu, array, count, &bytes[which], &c->block[which]));
+    if (which == TYPES)
+      GMDS_TRY(find_polyhedra(c->block[TYPES], (size_t)n, &c->has_faces));
   }
   return GMDS_OK;
 }
@@ -181,11 +194,6 @@ static gmds_status read_cells(gmds_vtu *vtu, size_t piece, size_t first)
   cells c = {.first = first, .n_points = soup->n_points - first};
   if (!vtu->pieces[piece].cells)
     return GMDS_OK;
-  const gmds_vtu_array *faces = find_array(vtu, piece, GMDS_VTU_CELLS, "faces");
-  const gmds_vtu_array *face_offsets = find_array(vtu, piece, GMDS_VTU_CELLS, "faceoffsets");
-  c.has_faces = faces && face_offsets; /* some programs write empty ones where there are no polyhedra */
-  if (c.has_faces && faces->format == GMDS_VTU_ASCII && faces->begin == faces->end)
-    c.has_faces = 0;
   for (int k = 0; k < CELL_ARRAYS; k++)
     bytes[k] = (gmds_bytes){.memory = soup->memory};
   for (int k = 0; k < CELL_ARRAYS; k++)

@@ -182,7 +182,8 @@ END_TEST
     "<Piece NumberOfPoints=\"3\" NumberOfCells=\"1\"><PointData>" attribute "</PointData><Points>"                   \
     "<DataArray type=\"Float64\" NumberOfComponents=\"3\"><InformationKey/> " numbers "</DataArray></Points><Cells>" \
     "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 2 1</DataArray><DataArray type=\"Int64\" "   \
-    "Name=\"offsets\">3</DataArray><DataArray type=\"UInt8\" Name=\"types\">5</DataArray></Cells></Piece>"
+    "Name=\"offsets\">3</DataArray><DataArray type=\"UInt8\" Name=\"types\">5</DataArray><DataArray type=\"Int64\" " \
+    "Name=\"faces\"/><DataArray type=\"Int64\" Name=\"faceoffsets\"/></Cells></Piece>"
 
 START_TEST(pieces_of_vtu_are_joined)
 {

@@ -285,52 +285,53 @@
     "name: byte 47: expected a number of blocks, found the end of the file")
 
 /* X(format, status, bytes, sentence): these need Expat. */
-#define MALFORMED_VTU_LIST(X)                                                                                          \
-  X(VTU, FORMAT, "", "name:1: this is not XML: no element found")                                                      \
-  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\">\n<x></VTKFile>", "name:2: this is not XML: mismatched tag")      \
-  X(VTU, FORMAT,                                                                                                       \
-    BAD_VTU "<Piece NumberOfPoints=\"3\" NumberOfCells=\"0\"><PointData><DataArray type=\"Int8\" "                     \
-            "Name=\"a\"><AppendedData encoding=\"raw\">_1",                                                            \
-    "name:2: AppendedData is not behind the grid")                                                                     \
-  X(VTU, FORMAT, "<vtk/>", "name:1: expected VTKFile, found 'vtk'")                                                    \
-  X(VTU, UNSUPPORTED, "<VTKFile type=\"PolyData\"/>", "name:1: type PolyData: only UnstructuredGrid is read")          \
-  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\" byte_order=\"Middle\"/>",                                         \
-    "name:1: expected LittleEndian or BigEndian, found 'Middle'")                                                      \
-  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\" header_type=\"UInt8\"/>",                                         \
-    "name:1: expected UInt32 or UInt64, found 'UInt8'")                                                                \
-  X(VTU, UNSUPPORTED, "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkLZ4DataCompressor\"/>",                      \
-    "name:1: vtkLZ4DataCompressor: only vtkZLibDataCompressor is read")                                                \
-  X(VTU, FORMAT, BAD_VTU_PIECE("x", "1") BAD_VTU_END, "name:2: expected NumberOfPoints, found 'x'")                    \
-  X(VTU, FORMAT, BAD_VTU_PIECE("3", "0") BAD_VTU_END, "name:2: the piece has no array of Points")                      \
-  X(VTU, FORMAT, BAD_VTU_PIECE("900", "0") BAD_VTU_POINTS("format=\"ascii\">0 0 0") BAD_VTU_END,                       \
-    "name:3: 2700 numbers are declared, but only 5 bytes remain")                                                      \
-  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"ascii\">0 0 0 0") BAD_VTU_END,                       \
-    "name:3: expected the end of the array, found '0'")                                                                \
-  X(VTU, COORDINATE, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"ascii\">\n0 nan 0") BAD_VTU_END,                 \
-    "name:4: a coordinate of point 0 (from 0) is not a finite number: 'nan'")                                          \
-  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"odd\">0 0 0") BAD_VTU_END,                           \
-    "name:3: expected ascii, binary or appended, found 'odd'")                                                         \
-  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">DAAAAAAAAAAAAAAAAAAA") BAD_VTU_END,         \
-    "name:3: the array ends before its numbers do, or is not base64")                                                  \
-  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">CAAAAAAAAAAAAAAA") BAD_VTU_END,             \
-    "name:3: expected 3 numbers of 4 bytes, found 8 bytes")                                                            \
-  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">DAAAAAA*AAAAAAAAAAAA") BAD_VTU_END,         \
-    "name:3: the array ends before its numbers do, or is not base64")                                                  \
-  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"appended\" offset=\"5\">") BAD_VTU_END,              \
-    "name:3: the array is appended at 5, where there is nothing")                                                      \
-  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 3", "3", "5") BAD_VTU_END,                                        \
-    "name:4: expected an index from 0 to 2, found '3'")                                                                \
-  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "900", "5") BAD_VTU_END,                                      \
-    "name:4: 900 numbers are declared, but only 5 bytes remain")                                                       \
-  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "-1", "5") BAD_VTU_END,                                       \
-    "name:5: expected an offset, found -1")                                                                            \
-  X(VTU, UNSUPPORTED, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "3", "22") BAD_VTU_END,                                  \
-    "name:4: cells of VTK's type 22 are not read")                                                                     \
-  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "3", "42") BAD_VTU_END, "name:6: a polyhedron without faces") \
-  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_END, "name:2: the piece has no array of offsets")                            \
-  X(VTU, FORMAT,                                                                                                       \
-    BAD_VTU_TRIANGLE BAD_VTU_CELLS(                                                                                    \
-        "0 1 2", "3",                                                                                                  \
-        "5") "<CellData><DataArray type=\"Int8\" Name=\"a\">3000000000</DataArray></CellData>" BAD_VTU_END,            \
+#define MALFORMED_VTU_LIST(X)                                                                                     \
+  X(VTU, FORMAT, "", "name:1: this is not XML: no element found")                                                 \
+  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\">\n<x></VTKFile>", "name:2: this is not XML: mismatched tag") \
+  X(VTU, FORMAT,                                                                                                  \
+    BAD_VTU "<Piece NumberOfPoints=\"3\" NumberOfCells=\"0\"><PointData><DataArray type=\"Int8\" "                \
+            "Name=\"a\"><AppendedData encoding=\"raw\">_1",                                                       \
+    "name:2: AppendedData is not behind the grid")                                                                \
+  X(VTU, FORMAT, "<vtk/>", "name:1: expected VTKFile, found 'vtk'")                                               \
+  X(VTU, UNSUPPORTED, "<VTKFile type=\"PolyData\"/>", "name:1: type PolyData: only UnstructuredGrid is read")     \
+  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\" byte_order=\"Middle\"/>",                                    \
+    "name:1: expected LittleEndian or BigEndian, found 'Middle'")                                                 \
+  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\" header_type=\"UInt8\"/>",                                    \
+    "name:1: expected UInt32 or UInt64, found 'UInt8'")                                                           \
+  X(VTU, UNSUPPORTED, "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkLZ4DataCompressor\"/>",                 \
+    "name:1: vtkLZ4DataCompressor: only vtkZLibDataCompressor is read")                                           \
+  X(VTU, FORMAT, BAD_VTU_PIECE("x", "1") BAD_VTU_END, "name:2: expected NumberOfPoints, found 'x'")               \
+  X(VTU, FORMAT, BAD_VTU_PIECE("3", "0") BAD_VTU_END, "name:2: the piece has no array of Points")                 \
+  X(VTU, FORMAT, BAD_VTU_PIECE("900", "0") BAD_VTU_POINTS("format=\"ascii\">0 0 0") BAD_VTU_END,                  \
+    "name:3: 2700 numbers are declared, but only 5 bytes remain")                                                 \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"ascii\">0 0 0 0") BAD_VTU_END,                  \
+    "name:3: expected the end of the array, found '0'")                                                           \
+  X(VTU, COORDINATE, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"ascii\">\n0 nan 0") BAD_VTU_END,            \
+    "name:4: a coordinate of point 0 (from 0) is not a finite number: 'nan'")                                     \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"odd\">0 0 0") BAD_VTU_END,                      \
+    "name:3: expected ascii, binary or appended, found 'odd'")                                                    \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">DAAAAAAAAAAAAAAAAAAA") BAD_VTU_END,    \
+    "name:3: the array ends before its numbers do, or is not base64")                                             \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">CAAAAAAAAAAAAAAA") BAD_VTU_END,        \
+    "name:3: expected 3 numbers of 4 bytes, found 8 bytes")                                                       \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">DAAAAAA*AAAAAAAAAAAA") BAD_VTU_END,    \
+    "name:3: the array ends before its numbers do, or is not base64")                                             \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"appended\" offset=\"5\">") BAD_VTU_END,         \
+    "name:3: the array is appended at 5, where there is nothing")                                                 \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 3", "3", "5") BAD_VTU_END,                                   \
+    "name:4: expected an index from 0 to 2, found '3'")                                                           \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "900", "5") BAD_VTU_END,                                 \
+    "name:4: 900 numbers are declared, but only 5 bytes remain")                                                  \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "-1", "5") BAD_VTU_END,                                  \
+    "name:5: expected an offset, found -1")                                                                       \
+  X(VTU, UNSUPPORTED, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "3", "22") BAD_VTU_END,                             \
+    "name:4: cells of VTK's type 22 are not read")                                                                \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "3", "42") BAD_VTU_END,                                  \
+    "name:2: the piece has no array of faceoffsets")                                                              \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_END, "name:2: the piece has no array of offsets")                       \
+  X(VTU, FORMAT,                                                                                                  \
+    BAD_VTU_TRIANGLE BAD_VTU_CELLS(                                                                               \
+        "0 1 2", "3",                                                                                             \
+        "5") "<CellData><DataArray type=\"Int8\" Name=\"a\">3000000000</DataArray></CellData>" BAD_VTU_END,       \
     "name:7: expected a whole number that its type holds, found '3000000000'")
 #endif
