@@ -7,9 +7,9 @@
 
 static const gmds_vtu_array *find_array(const gmds_vtu *vtu, size_t piece, gmds_vtu_section section, const char *name)
 {
-  for (size_t k = 0; k < vtu->n_arrays; k++) {
+  for (size_t k = vtu->pieces[piece].first; k < gmds_vtu_arrays_end(vtu, piece); k++) {
     const gmds_vtu_array *a = &vtu->arrays[k];
-    if (a->piece == piece && a->section == section && (!name || strcmp(vtu->names + a->name, name) == 0))
+    if (a->section == section && (!name || strcmp(vtu->names + a->name, name) == 0))
       return a;
   }
   return NULL;
@@ -240,11 +240,11 @@ static gmds_status read_attributes(gmds_vtu *vtu, size_t piece, gmds_place place
 {
   gmds_vtu_section section = place == GMDS_OF_POINTS ? GMDS_VTU_POINT_DATA : GMDS_VTU_CELL_DATA;
   size_t rows = gmds_stage_rows(vtu->stage, place) - first;
-  for (size_t k = 0; k < vtu->n_arrays; k++) {
+  for (size_t k = vtu->pieces[piece].first; k < gmds_vtu_arrays_end(vtu, piece); k++) {
     const gmds_vtu_array *array = &vtu->arrays[k];
     gmds_bytes bytes;
     gmds_vtk_block block;
-    if (array->piece != piece || array->section != section)
+    if (array->section != section)
       continue;
     gmds_text text = gmds_vtu_text(vtu, array);
     if (!array->components || array->components > GMDS_MOST_COMPONENTS)

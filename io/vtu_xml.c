@@ -96,7 +96,7 @@ static gmds_status open_file(gmds_vtu *vtu, const char *name, const char **attri
 static gmds_status open_piece(gmds_vtu *vtu, const char **attributes)
 {
   void *list = vtu->pieces;
-  gmds_vtu_piece piece = {.line = vtu->text->line};
+  gmds_vtu_piece piece = {.first = vtu->n_arrays, .line = vtu->text->line};
   gmds_status status = grow(vtu, &list, vtu->n_pieces, 1, &vtu->piece_capacity, sizeof *vtu->pieces);
   vtu->pieces = list;
   GMDS_TRY(status);

@@ -257,7 +257,7 @@
   X(GMSH, FORMAT, BAD_MSH "$Nodes\n1\n1 0 x 0\n", "name:6: expected a coordinate, found 'x'")                          \
   X(GMSH, COORDINATE, BAD_MSH "$Nodes\n1\n1 0 inf 0\n",                                                                \
     "name:6: a coordinate of point 0 (from 0) is not a finite number: 'inf'")                                          \
-  X(GMSH, FORMAT, BAD_MSH "$Nodes\n2\n1 0 0 0\n1 0 0 0\n$EndNodes\n", "name:7: two nodes have the number 1")           \
+  X(GMSH, FORMAT, BAD_MSH "$Nodes\n2\n1 0 0 0\n1 0 0 0\n$EndNodes\n", "name:7: 2 nodes have the number 1")             \
   X(GMSH, FORMAT, BAD_MSH "$Nodes\n1\n1 0 0 0\n2 0 0 0\n$EndNodes\n", "name:7: expected $EndNodes, found '2'")         \
   X(GMSH, FORMAT, BAD_MSH_NODES "$Nodes\n0\n$EndNodes\n", "name:10: $Nodes are listed a second time")                  \
   X(GMSH, FORMAT, BAD_MSH_NODES "$Elements\n1\n1 2 2 0 0 1 2 4\n", "name:12: no node has the number 4")                \
