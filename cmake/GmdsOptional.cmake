@@ -2,6 +2,9 @@
 # where it is read.
 option(GMDS_WITH_EXPAT "Read VTU where Expat is found" ON)
 option(GMDS_WITH_ZLIB "Read compressed VTU where zlib is found" ON)
+set(GMDS_OPTIONAL_LIBRARIES "") # as a linker is told
+set(GMDS_EXPAT_FLAG -lexpat)
+set(GMDS_ZLIB_FLAG -lz)
 foreach(name EXPAT ZLIB)
   set(GMDS_HAVE_${name} 0)
   if(GMDS_WITH_${name})
@@ -10,6 +13,7 @@ foreach(name EXPAT ZLIB)
   if(GMDS_WITH_${name} AND ${name}_FOUND)
     set(GMDS_HAVE_${name} 1)
     target_link_libraries(gmds PRIVATE ${name}::${name})
+    list(APPEND GMDS_OPTIONAL_LIBRARIES ${GMDS_${name}_FLAG})
   endif()
   target_compile_definitions(gmds PRIVATE GMDS_HAVE_${name}=${GMDS_HAVE_${name}})
 endforeach()

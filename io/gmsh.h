@@ -54,9 +54,10 @@ gmds_status gmds_gmsh_bound(const gmds_gmsh *gmsh, uint64_t n, size_t ints, size
 /* Goes behind the end of the line, where words begin. */
 gmds_status gmds_gmsh_start_words(gmds_gmsh *gmsh);
 
-/* Tags: the next item's, order for the search, and the items of a tag, `*n` of them from the one returned. */
+/* Tags: the next item's; order for the search, in which at most so many items may have one tag; and the items of a tag,
+ * `*n` of them from the one returned. */
 gmds_status gmds_tags_push(gmds_gmsh *gmsh, gmds_tags *tags, uint64_t tag);
-gmds_status gmds_tags_sort(gmds_gmsh *gmsh, gmds_tags *tags, const char *unique);
+gmds_status gmds_tags_sort(gmds_gmsh *gmsh, gmds_tags *tags, size_t most, const char *what);
 size_t gmds_tags_find(const gmds_tags *tags, uint64_t tag, size_t *n);
 size_t gmds_tags_item(const gmds_tags *tags, size_t found);
 void gmds_tags_clear(gmds_gmsh *gmsh, gmds_tags *tags);

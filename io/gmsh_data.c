@@ -1,5 +1,5 @@
-/* $NodeData and $ElementData of MSH files: attributes of doubles under the name of their view; a second one under a name
- * is told by its time step. Nodes and elements that a section does not list have 0. */
+/* $NodeData and $ElementData of MSH files: attributes of doubles under the name of their view; a second one under a
+ * name is told by its time step. Nodes and elements that a section does not list have 0. */
 #include "gmsh.h"
 #include <stdio.h>
 #include <string.h>
@@ -43,7 +43,7 @@ static gmds_status read_view(gmds_gmsh *gmsh, view *v)
   int *const integers[] = {&v->step, &v->components, &v->rows};
   gmds_gmsh text = *gmsh; /* tags are text */
   text.binary = 0;
-  *v = (view){.components = 1};
+  *v = (view){.name = {"view", 4}, .components = 1};
   GMDS_TRY(read_count(gmsh, "a number of string tags", &n));
   for (uint64_t k = 0; k < n; k++)
     GMDS_TRY(read_string(gmsh, k ? &string : &v->name));

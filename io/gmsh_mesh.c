@@ -106,7 +106,7 @@ gmds_status gmds_gmsh_read_entities(gmds_gmsh *gmsh)
     for (uint64_t k = 0; k < n[dim]; k++)
       GMDS_TRY(read_entity(gmsh, dim));
   }
-  GMDS_TRY(gmds_tags_sort(gmsh, &gmsh->entities, NULL));
+  GMDS_TRY(gmds_tags_sort(gmsh, &gmsh->entities, 1, "entities"));
   return gmds_text_word(gmsh->text, "$EndEntities");
 }
 
@@ -192,7 +192,7 @@ gmds_status gmds_gmsh_read_nodes(gmds_gmsh *gmsh)
     return gmds_text_fail(gmsh->text, GMDS_ERR_FORMAT, -1, "$Nodes are listed a second time");
   gmsh->has_nodes = 1;
   GMDS_TRY((gmsh->version < 40 ? read_nodes_2 : read_nodes_4)(gmsh));
-  GMDS_TRY(gmds_tags_sort(gmsh, &gmsh->nodes, "nodes"));
+  GMDS_TRY(gmds_tags_sort(gmsh, &gmsh->nodes, 1, "nodes"));
   return gmds_text_word(gmsh->text, "$EndNodes");
 }
 
@@ -240,8 +240,8 @@ static gmds_status read_tags(gmds_gmsh *gmsh, int n, element *e)
   return GMDS_OK;
 }
 
-/* Text has `number type tags` before each element; words have `type elements tags` before several, `number` before each.
- */
+/* Text has `number type tags` before each element; words have `type elements tags` before several, `number` before
+ * each. */
 static gmds_status read_elements_2(gmds_gmsh *gmsh)
 {
   uint64_t n = 0;
@@ -318,12 +318,15 @@ static gmds_status read_elements_4(gmds_gmsh *gmsh)
   return GMDS_OK;
 }
 
+/* Version 2 may list an element once for each of its groups. */
+enum { MOST_OF_ONE_NUMBER = 64 };
+
 gmds_status gmds_gmsh_read_elements(gmds_gmsh *gmsh)
 {
   if (gmsh->has_elements)
     return gmds_text_fail(gmsh->text, GMDS_ERR_FORMAT, -1, "$Elements are listed a second time");
   gmsh->has_elements = 1;
   GMDS_TRY((gmsh->version < 40 ? read_elements_2 : read_elements_4)(gmsh));
-  GMDS_TRY(gmds_tags_sort(gmsh, &gmsh->elements, NULL));
+  GMDS_TRY(gmds_tags_sort(gmsh, &gmsh->elements, MOST_OF_ONE_NUMBER, "elements"));
   return gmds_text_word(gmsh->text, "$EndElements");
 }

@@ -111,14 +111,14 @@ static int by_tag(const void *a, const void *b)
   return x->tag != y->tag ? (x->tag > y->tag) - (x->tag < y->tag) : (x->item > y->item) - (x->item < y->item);
 }
 
-gmds_status gmds_tags_sort(gmds_gmsh *gmsh, gmds_tags *tags, const char *unique)
+gmds_status gmds_tags_sort(gmds_gmsh *gmsh, gmds_tags *tags, size_t most, const char *what)
 {
   if (!tags->pairs)
     return GMDS_OK;
   qsort(tags->pairs, tags->n, sizeof *tags->pairs, by_tag);
-  for (size_t k = 1; unique && k < tags->n; k++)
-    if (tags->pairs[k].tag == tags->pairs[k - 1].tag)
-      return gmds_text_fail(gmsh->text, GMDS_ERR_FORMAT, -1, "two %s have the number %llu", unique,
+  for (size_t k = most; k < tags->n; k++)
+    if (tags->pairs[k].tag == tags->pairs[k - most].tag)
+      return gmds_text_fail(gmsh->text, GMDS_ERR_FORMAT, -1, "%zu %s have the number %llu", most + 1, what,
                             (unsigned long long)tags->pairs[k].tag);
   return GMDS_OK;
 }

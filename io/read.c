@@ -41,9 +41,13 @@ gmds_status gmds_format_of_path(const char *path, gmds_error *error, gmds_format
 /* X(format, reader, what begins a comment or 0) */
 #define READER_LIST(X)                       \
   X(GMDS_FORMAT_OFF, gmds_read_off, '#')     \
+  X(GMDS_FORMAT_OBJ, gmds_read_obj, '#')     \
+  X(GMDS_FORMAT_PLY, gmds_read_ply, 0)       \
+  X(GMDS_FORMAT_STL, gmds_read_stl, 0)       \
   X(GMDS_FORMAT_VTK, gmds_read_vtk, 0)       \
   X(GMDS_FORMAT_VTU, gmds_read_vtu, 0)       \
   X(GMDS_FORMAT_MEDIT, gmds_read_medit, '#') \
+  X(GMDS_FORMAT_MESHB, gmds_read_meshb, 0)   \
   X(GMDS_FORMAT_GMSH, gmds_read_gmsh, 0)     \
   X(GMDS_FORMAT_NODE, gmds_read_node, '#')   \
   X(GMDS_FORMAT_F64, gmds_read_f64, 0)       \

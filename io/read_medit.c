@@ -176,6 +176,17 @@ static gmds_status skip_rows(gmds_text *text, gmds_stage *stage, const char *key
   return skip_numbers(text, n * width, "a number");
 }
 
+/* `Identifier "..."` and the like: a text on this line or the next. */
+static gmds_status skip_text(gmds_text *text, gmds_stage *stage)
+{
+  gmds_token token;
+  stage->soup.unread++;
+  if (!gmds_text_next(text, &token))
+    return gmds_text_expected(text, "a text", token);
+  gmds_text_skip_line(text);
+  return GMDS_OK;
+}
+
 static int is_letter(char c)
 {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -237,6 +248,8 @@ static gmds_status read_section(gmds_text *text, gmds_stage *stage, gmds_token k
   for (size_t i = 0; i < sizeof curved / sizeof *curved; i++)
     if (gmds_token_is_any_case(keyword, curved[i]))
       return gmds_text_fail(text, GMDS_ERR_UNSUPPORTED, -1, "%s: only cells of the first order are read", curved[i]);
+  if (gmds_token_is_any_case(keyword, "Identifier") || gmds_token_is_any_case(keyword, "Geometry"))
+    return skip_text(text, stage);
   return skip_unknown(text, stage, keyword);
 }
 

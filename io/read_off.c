@@ -1,5 +1,5 @@
 /* OFF: points, then faces as lists of points. A face of one or two points is a vertex or an edge, as Geomview has it;
- * colours, normals and texture coordinates are checked to be numbers and dropped. */
+ * colours, normals and texture coordinates are checked to be numbers and left out. */
 #include "readers.h"
 
 /* X(header, whether numbers may follow the coordinates of a point) */
@@ -60,12 +60,13 @@ static gmds_status read_counts(gmds_text *text, size_t *points, size_t *faces)
   return gmds_text_end_of_line(text);
 }
 
-/* Numbers to the end of the line, where they are allowed. */
-static gmds_status skip_numbers(gmds_text *text, const char *what)
+/* Numbers to the end of the line, where they are allowed; that a file has them counts once. */
+static gmds_status skip_numbers(gmds_text *text, gmds_stage *stage, const char *what)
 {
   gmds_token token;
   while (gmds_text_next_on_line(text, &token)) {
     double ignored;
+    stage->soup.unread = 1;
     if (gmds_parse_double(token.at, token.n, &ignored) == GMDS_NUMBER_NONE)
       return gmds_text_expected(text, what, token);
   }
@@ -73,7 +74,8 @@ static gmds_status skip_numbers(gmds_text *text, const char *what)
 }
 
 /* Points with colours have three coordinates, then other numbers. Others have as many as the first: two or three. */
-static gmds_status read_point(gmds_text *text, size_t point, int decorated, int *columns, double x[3])
+static gmds_status read_point(gmds_text *text, gmds_stage *stage, size_t point, int decorated, int *columns,
+                              double x[3])
 {
   gmds_token token;
   if (!gmds_text_next(text, &token))
@@ -84,7 +86,7 @@ static gmds_status read_point(gmds_text *text, size_t point, int decorated, int 
       gmds_text_next_on_line(text, &token);
       GMDS_TRY(gmds_text_real(text, token, point, &x[k]));
     }
-    return skip_numbers(text, "a colour, normal or texture coordinate");
+    return skip_numbers(text, stage, "a colour, normal or texture coordinate");
   }
   int n;
   GMDS_TRY(gmds_text_point_line(text, point, 3, 0, x, &n));
@@ -113,7 +115,7 @@ static gmds_status read_face(gmds_text *text, gmds_stage *stage)
     gmds_text_next_on_line(text, &token);
     GMDS_TRY(gmds_text_index(text, token, 0, stage->soup.n_points, &stage->corners.data[k]));
   }
-  GMDS_TRY(skip_numbers(text, "a colour"));
+  GMDS_TRY(skip_numbers(text, stage, "a colour"));
   return gmds_stage_cell(stage, text, type_of_face(n), n, stage->corners.data);
 }
 
@@ -126,7 +128,7 @@ gmds_status gmds_read_off(gmds_text *text, gmds_stage *stage)
   GMDS_TRY(gmds_stage_reserve(stage, text, points, 0, 0));
   for (size_t p = 0; p < points; p++) {
     double x[3];
-    GMDS_TRY(read_point(text, p, decorated, &columns, x));
+    GMDS_TRY(read_point(text, stage, p, decorated, &columns, x));
     GMDS_TRY(gmds_stage_point(stage, text, x));
   }
   GMDS_TRY(gmds_text_bound(text, faces, 4, "faces"));

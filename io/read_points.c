@@ -75,6 +75,7 @@ gmds_status gmds_read_node(gmds_text *text, gmds_stage *stage)
   int dim = 2;
   uint64_t base = 0;
   GMDS_TRY(read_node_header(text, &n, &dim, &extra));
+  stage->soup.unread += extra;
   GMDS_TRY(gmds_stage_reserve(stage, text, n, 0, 0));
   for (size_t p = 0; p < n; p++) {
     double x[3];

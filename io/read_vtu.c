@@ -1,15 +1,15 @@
 /* VTU: unstructured grids of VTK in XML, their arrays as text, in base64 or appended, compressed by zlib or not. Pieces
- * are joined; an attribute that a piece lacks is 0 there. Fields of the whole grid and strings are counted and left out.
- */
+ * are joined; an attribute that a piece lacks is 0 there. Fields of the whole grid and strings are counted and left
+ * out. */
 #include "vtu.h"
 #include "readers.h"
 #include <string.h>
 
 static const gmds_vtu_array *find_array(const gmds_vtu *vtu, size_t piece, gmds_vtu_section section, const char *name)
 {
-  for (size_t k = 0; k < vtu->n_arrays; k++) {
+  for (size_t k = vtu->pieces[piece].first; k < gmds_vtu_arrays_end(vtu, piece); k++) {
     const gmds_vtu_array *a = &vtu->arrays[k];
-    if (a->piece == piece && a->section == section && (!name || strcmp(vtu->names + a->name, name) == 0))
+    if (a->section == section && (!name || strcmp(vtu->names + a->name, name) == 0))
       return a;
   }
   return NULL;
@@ -92,7 +92,7 @@ static gmds_status take_stream(gmds_vtu *vtu, cells *c, uint64_t end)
 {
   gmds_vtk_block *faces = &c->block[FACES];
   gmds_ids *corners = &vtu->stage->corners;
-  if (!c->has_faces || end < c->faces || end - c->faces > faces->left)
+  if (end < c->faces || end - c->faces > faces->left)
     return gmds_text_fail(&c->block[TYPES].text, GMDS_ERR_FORMAT, -1, "a polyhedron without faces");
   GMDS_TRY(gmds_stage_corners(vtu->stage, &faces->text, (size_t)(end - c->faces)));
   c->faces = end;
@@ -150,6 +150,17 @@ static gmds_status add_cells(gmds_vtu *vtu, cells *c, size_t n)
   return GMDS_OK;
 }
 
+/* Whether one of the cells is a polyhedron; some programs write empty arrays of faces where none is. */
+static gmds_status find_polyhedra(gmds_vtk_block types, size_t n, int *found)
+{
+  for (size_t k = 0; k < n; k++) {
+    uint64_t type = 0;
+    GMDS_TRY(gmds_vtk_whole(&types, "a type of a cell", &type));
+    *found |= type == GMDS_VTK_POLYHEDRON;
+  }
+  return GMDS_OK;
+}
+
 /* Opens the arrays of cells one after the other, offsets before what they count. */
 static gmds_status open_cells(gmds_vtu *vtu, size_t piece, gmds_bytes bytes[CELL_ARRAYS], cells *c)
 {
@@ -170,6 +181,8 @@ static gmds_status open_cells(gmds_vtu *vtu, size_t piece, gmds_bytes bytes[CELL
     if (which == FACES)
       GMDS_TRY(last_offset(c->block[FACE_OFFSETS], (size_t)n, 1, &count));
     GMDS_TRY(gmds_vtu_open(vtu, array, count, &bytes[which], &c->block[which]));
+    if (which == TYPES)
+      GMDS_TRY(find_polyhedra(c->block[TYPES], (size_t)n, &c->has_faces));
   }
   return GMDS_OK;
 }
@@ -181,11 +194,6 @@ static gmds_status read_cells(gmds_vtu *vtu, size_t piece, size_t first)
   cells c = {.first = first, .n_points = soup->n_points - first};
   if (!vtu->pieces[piece].cells)
     return GMDS_OK;
-  const gmds_vtu_array *faces = find_array(vtu, piece, GMDS_VTU_CELLS, "faces");
-  const gmds_vtu_array *face_offsets = find_array(vtu, piece, GMDS_VTU_CELLS, "faceoffsets");
-  c.has_faces = faces && face_offsets; /* some programs write empty ones where there are no polyhedra */
-  if (c.has_faces && faces->format == GMDS_VTU_ASCII && faces->begin == faces->end)
-    c.has_faces = 0;
   for (int k = 0; k < CELL_ARRAYS; k++)
     bytes[k] = (gmds_bytes){.memory = soup->memory};
   for (int k = 0; k < CELL_ARRAYS; k++)
@@ -232,11 +240,11 @@ static gmds_status read_attributes(gmds_vtu *vtu, size_t piece, gmds_place place
 {
   gmds_vtu_section section = place == GMDS_OF_POINTS ? GMDS_VTU_POINT_DATA : GMDS_VTU_CELL_DATA;
   size_t rows = gmds_stage_rows(vtu->stage, place) - first;
-  for (size_t k = 0; k < vtu->n_arrays; k++) {
+  for (size_t k = vtu->pieces[piece].first; k < gmds_vtu_arrays_end(vtu, piece); k++) {
     const gmds_vtu_array *array = &vtu->arrays[k];
     gmds_bytes bytes;
     gmds_vtk_block block;
-    if (array->piece != piece || array->section != section)
+    if (array->section != section)
       continue;
     gmds_text text = gmds_vtu_text(vtu, array);
     if (!array->components || array->components > GMDS_MOST_COMPONENTS)

@@ -6,9 +6,13 @@
 #include <gmds/io.h>
 
 gmds_status gmds_read_off(gmds_text *text, gmds_stage *stage);
+gmds_status gmds_read_obj(gmds_text *text, gmds_stage *stage);
+gmds_status gmds_read_ply(gmds_text *text, gmds_stage *stage);
+gmds_status gmds_read_stl(gmds_text *text, gmds_stage *stage);
 gmds_status gmds_read_vtk(gmds_text *text, gmds_stage *stage);
 gmds_status gmds_read_vtu(gmds_text *text, gmds_stage *stage);
 gmds_status gmds_read_gmsh(gmds_text *text, gmds_stage *stage);
+gmds_status gmds_read_meshb(gmds_text *text, gmds_stage *stage);
 gmds_status gmds_read_medit(gmds_text *text, gmds_stage *stage);
 gmds_status gmds_read_node(gmds_text *text, gmds_stage *stage);
 gmds_status gmds_read_f64(gmds_text *text, gmds_stage *stage);

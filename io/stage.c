@@ -115,6 +115,8 @@ gmds_status gmds_stage_column(gmds_stage *stage, const gmds_text *text, gmds_pla
   if (!components || components > GMDS_MOST_COMPONENTS)
     return gmds_text_fail(text, GMDS_ERR_UNSUPPORTED, -1, "expected an attribute of 1 to %d components, found %zu",
                           GMDS_MOST_COMPONENTS, components);
+  if (++stage->columns > GMDS_MOST_COLUMNS)
+    return gmds_text_fail(text, GMDS_ERR_UNSUPPORTED, -1, "more than %d attributes", GMDS_MOST_COLUMNS);
   memcpy(copy, name.at, name.n);
   copy[name.n] = 0;
   gmds_status status = gmds_soup_add_attribute(&stage->soup, place, copy, type, components, attribute);

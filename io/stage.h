@@ -11,6 +11,7 @@ typedef struct gmds_stage {
   int points_only;  /* cells are not wanted */
   gmds_ids corners; /* of the cell at hand: a reader's own */
   gmds_ids sorted;  /* the same, to find a repeated one */
+  size_t columns;   /* that were made */
   gmds_ids first;   /* the cells of the file, where a reader marks them: the first cell of the soup that each became,
                        which may be none or several */
 } gmds_stage;
@@ -33,6 +34,9 @@ gmds_status gmds_stage_mark(gmds_stage *stage, const gmds_text *text);
 
 /* A tuple that is longer is no value of a point or a cell; this bounds what a line of a file can become. */
 enum { GMDS_MOST_COMPONENTS = 1000 };
+
+/* A file with more attributes is refused: a new name is compared with all that there are. */
+enum { GMDS_MOST_COLUMNS = 10000 };
 
 /* A new column of attributes. The name may hold any byte but 0, and must not be there. */
 gmds_status gmds_stage_column(gmds_stage *stage, const gmds_text *text, gmds_place place, gmds_token name,

@@ -29,6 +29,7 @@ typedef struct gmds_vtu_array {
 
 typedef struct gmds_vtu_piece {
   uint64_t points, cells;
+  size_t first; /* of its arrays; the next piece's begin where they end */
   long long line;
 } gmds_vtu_piece;
 
@@ -55,6 +56,12 @@ gmds_status gmds_vtu_parse(gmds_vtu *vtu);
 gmds_status gmds_vtu_open(gmds_vtu *vtu, const gmds_vtu_array *array, uint64_t n, gmds_bytes *bytes,
                           gmds_vtk_block *block);
 gmds_status gmds_vtu_close(gmds_vtk_block *block);
+
+/* One past the last array of a piece. */
+static inline size_t gmds_vtu_arrays_end(const gmds_vtu *vtu, size_t piece)
+{
+  return piece + 1 < vtu->n_pieces ? vtu->pieces[piece + 1].first : vtu->n_arrays;
+}
 
 /* A scanner of an array's content, for sentences about it. */
 gmds_text gmds_vtu_text(const gmds_vtu *vtu, const gmds_vtu_array *array);

@@ -96,7 +96,7 @@ static gmds_status open_file(gmds_vtu *vtu, const char *name, const char **attri
 static gmds_status open_piece(gmds_vtu *vtu, const char **attributes)
 {
   void *list = vtu->pieces;
-  gmds_vtu_piece piece = {.line = vtu->text->line};
+  gmds_vtu_piece piece = {.first = vtu->n_arrays, .line = vtu->text->line};
   gmds_status status = grow(vtu, &list, vtu->n_pieces, 1, &vtu->piece_capacity, sizeof *vtu->pieces);
   vtu->pieces = list;
   GMDS_TRY(status);
@@ -171,8 +171,8 @@ static gmds_vtu_section section_of(const char *name)
   return (gmds_vtu_section)k;
 }
 
-/* VTKFile > UnstructuredGrid > Piece > Points, Cells, PointData, CellData > DataArray, and AppendedData beside the grid.
- */
+/* VTKFile > UnstructuredGrid > Piece > Points, Cells, PointData, CellData > DataArray, and AppendedData beside the
+ * grid. */
 static gmds_status open_element(tree *t, const char *name, const char **attributes)
 {
   gmds_vtu *vtu = t->vtu;
@@ -284,7 +284,9 @@ static gmds_status parse(tree *t)
     if (last)
       break;
   }
-  return GMDS_OK;
+  if (end == text->end || t->depth == 2) /* every array has its end */
+    return GMDS_OK;
+  return gmds_text_fail(text, GMDS_ERR_FORMAT, -1, "AppendedData is not behind the grid");
 }
 
 gmds_status gmds_vtu_parse(gmds_vtu *vtu)

@@ -9,6 +9,7 @@
 
 enum {
   FACES = 1 << GMDS_TRIANGLE | 1 << GMDS_QUADRILATERAL | 1 << GMDS_POLYGON,
+  FLAT = FACES | 1 << GMDS_VERTEX | 1 << GMDS_SEGMENT,
   ALL = (1 << GMDS_CELL_TYPE_COUNT) - 1,
   GMSH = ALL & ~(1 << GMDS_POLYGON) & ~(1 << GMDS_POLYHEDRON),
   MEDIT = GMSH & ~(1 << GMDS_VERTEX)
@@ -24,14 +25,18 @@ enum { TEXT = 1, BINARY = 2, BOTH = 3 };
 
 /* X(format, writer, types of cells that it holds, what holds attributes, encodings, that unless asked, versions, that
  * unless asked first) */
-#define WRITER_LIST(X)                                                               \
-  X(GMDS_FORMAT_OFF, gmds_write_off, FACES, holds_none, TEXT, TEXT, 0, 0)            \
-  X(GMDS_FORMAT_VTK, gmds_write_vtk, ALL, gmds_vtk_holds, BOTH, TEXT, 30, 51)        \
-  X(GMDS_FORMAT_VTU, gmds_write_vtu, ALL, gmds_vtu_holds, BOTH, BINARY, 10, 0)       \
-  X(GMDS_FORMAT_MEDIT, gmds_write_medit, MEDIT, gmds_medit_holds, TEXT, TEXT, 20, 0) \
-  X(GMDS_FORMAT_GMSH, gmds_write_gmsh, GMSH, gmds_gmsh_holds, BOTH, TEXT, 41, 22)    \
-  X(GMDS_FORMAT_NODE, gmds_write_node, 0, holds_none, TEXT, TEXT, 0, 0)              \
-  X(GMDS_FORMAT_F64, gmds_write_f64, 0, holds_none, BINARY, BINARY, 0, 0)            \
+#define WRITER_LIST(X)                                                                   \
+  X(GMDS_FORMAT_OFF, gmds_write_off, FACES, holds_none, TEXT, TEXT, 0, 0)                \
+  X(GMDS_FORMAT_OBJ, gmds_write_obj, FLAT, holds_none, TEXT, TEXT, 0, 0)                 \
+  X(GMDS_FORMAT_PLY, gmds_write_ply, FACES, gmds_ply_holds, BOTH, TEXT, 10, 0)           \
+  X(GMDS_FORMAT_STL, gmds_write_stl, 1 << GMDS_TRIANGLE, holds_none, BOTH, TEXT, 0, 0)   \
+  X(GMDS_FORMAT_VTK, gmds_write_vtk, ALL, gmds_vtk_holds, BOTH, TEXT, 30, 51)            \
+  X(GMDS_FORMAT_VTU, gmds_write_vtu, ALL, gmds_vtu_holds, BOTH, BINARY, 10, 0)           \
+  X(GMDS_FORMAT_MEDIT, gmds_write_medit, MEDIT, gmds_medit_holds, TEXT, TEXT, 20, 0)     \
+  X(GMDS_FORMAT_MESHB, gmds_write_meshb, MEDIT, gmds_medit_holds, BINARY, BINARY, 30, 0) \
+  X(GMDS_FORMAT_GMSH, gmds_write_gmsh, GMSH, gmds_gmsh_holds, BOTH, TEXT, 41, 22)        \
+  X(GMDS_FORMAT_NODE, gmds_write_node, 0, holds_none, TEXT, TEXT, 0, 0)                  \
+  X(GMDS_FORMAT_F64, gmds_write_f64, 0, holds_none, BINARY, BINARY, 0, 0)                \
   X(GMDS_FORMAT_TEXT, gmds_write_text, 0, holds_none, TEXT, TEXT, 0, 0)
 
 typedef struct writer {

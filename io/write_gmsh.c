@@ -1,7 +1,7 @@
 /* Writer of Gmsh's MSH, versions 4.1 and 2.2, ASCII and binary. Nodes and elements are numbered from 1 in the order of
  * the soup. The tags of a cell are the attributes "physical" and "geometrical"; version 4.1 gives them by way of an
- * entity, which is the geometrical tag of a dimension and can have one physical one; where it has several and no version
- * was asked for, it is 2.2. Other attributes are views. */
+ * entity, which is the geometrical tag of a dimension and can have one physical one; where it has several and no
+ * version was asked for, it is 2.2. Other attributes are views. */
 #include "gmsh.h"
 #include "writers.h"
 #include <inttypes.h>

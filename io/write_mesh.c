@@ -1,4 +1,5 @@
-/* Writers of meshes as text: OFF and Medit. A soup in a plane gets a third coordinate 0 where the format has no plane. */
+/* Writers of meshes as text: OFF and Medit. A soup in a plane gets a third coordinate 0 where the format has no plane.
+ */
 #include "writers.h"
 #include <string.h>
 

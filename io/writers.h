@@ -18,9 +18,13 @@ typedef struct gmds_sink {
 } gmds_sink;
 
 gmds_status gmds_write_off(const gmds_sink *sink);
+gmds_status gmds_write_obj(const gmds_sink *sink);
+gmds_status gmds_write_ply(const gmds_sink *sink);
+gmds_status gmds_write_stl(const gmds_sink *sink);
 gmds_status gmds_write_vtk(const gmds_sink *sink);
 gmds_status gmds_write_vtu(const gmds_sink *sink);
 gmds_status gmds_write_medit(const gmds_sink *sink);
+gmds_status gmds_write_meshb(const gmds_sink *sink);
 gmds_status gmds_write_gmsh(const gmds_sink *sink);
 gmds_status gmds_write_node(const gmds_sink *sink);
 gmds_status gmds_write_f64(const gmds_sink *sink);
@@ -34,6 +38,7 @@ gmds_status
 gmds_sink_fail(const gmds_sink *sink, gmds_status status, const char *format, ...);
 
 /* Whether a format has a place for a column; a name that passed can stand in its file. */
+int gmds_ply_holds(const gmds_soup *soup, gmds_place place, const gmds_attribute *attribute);
 int gmds_vtk_holds(const gmds_soup *soup, gmds_place place, const gmds_attribute *attribute);
 int gmds_vtu_holds(const gmds_soup *soup, gmds_place place, const gmds_attribute *attribute);
 int gmds_medit_holds(const gmds_soup *soup, gmds_place place, const gmds_attribute *attribute);

@@ -1,5 +1,6 @@
 # Sourced by run.sh and test.sh: installs what is missing, so that both work on a fresh Debian or Ubuntu.
-#     bootstrap run         what is built: a C compiler, cmake, make; and a C++ compiler with CGAL, the oracle
+#     bootstrap run         what is built: a C compiler, cmake, make; Expat and zlib, which reading VTU needs; and a C++
+#                           compiler with CGAL, the oracle
 #     bootstrap tests       and what the tests need: Check, pkg-config, xz
 # Elsewhere it says what is needed, and ends the script if there is no compiler or no cmake.
 # shellcheck shell=bash
@@ -40,7 +41,7 @@ missing_packages() {
   has c++ || echo g++
   has cmake || echo cmake
   has make || has ninja || echo make
-  local package packages="libcgal-dev libgmp-dev libmpfr-dev"
+  local package packages="libcgal-dev libgmp-dev libmpfr-dev libexpat1-dev zlib1g-dev"
   if [ "$1" = tests ]; then
     has pkg-config || echo pkg-config
     has xz || echo xz-utils
@@ -73,8 +74,8 @@ bootstrap() {
       fi
     fi
   else
-    say "no apt-get here, so please install a C compiler, cmake 3.25 or later, make or ninja, and, for all tests," \
-      "pkg-config, Check, xz and a C++ compiler with GMP, MPFR and CGAL"
+    say "no apt-get here, so please install a C compiler, cmake 3.25 or later, make or ninja, Expat and zlib for" \
+      "reading VTU, and, for all tests, pkg-config, Check, xz and a C++ compiler with GMP, MPFR and CGAL"
   fi
   require_compiler_and_cmake
   if has ninja; then

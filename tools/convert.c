@@ -24,6 +24,18 @@ static int read_dim(const verb *v, const char *text, int *dim)
 
 #define DIM_HELP "2|3  coordinates a point (as many as the file has; 2 for .f64, which does not say)"
 
+static const char *place_text(int place)
+{
+  return place == GMDS_OF_POINTS ? "points" : "cells";
+}
+
+/* A name of a file with nothing in it that a terminal would obey. */
+static void put_name(FILE *file, const char *name)
+{
+  for (; *name; name++)
+    putc((unsigned char)*name < ' ' || *name == 0x7f ? '?' : *name, file);
+}
+
 /* A file, or points made up. */
 static gmds_status read_any(const char *input, int dim, gmds_error *error, gmds_soup *soup)
 {
@@ -37,16 +49,68 @@ static gmds_status read_any(const char *input, int dim, gmds_error *error, gmds_
   return gmds_read_soup(input, dim, error, soup);
 }
 
+/* The version of a format, `2.2`, as ten times that; 0 where there is no text. Returns -1 to go on. */
+static int read_version(const verb *v, const char *text, int *version)
+{
+  *version = 0;
+  if (!text)
+    return -1;
+  if (strlen(text) != 3 || text[0] < '1' || text[0] > '9' || text[1] != '.' || text[2] < '0' || text[2] > '9')
+    return misused(v, "--format-version is a number like 4.1, not '%s'", text);
+  *version = (text[0] - '0') * 10 + (text[2] - '0');
+  return -1;
+}
+
+/* Names on stderr what the mesh has and the file has no place for. */
+static void note_left_out(const char *path, const gmds_soup *soup)
+{
+  gmds_format format;
+  int n = 0;
+  if (soup->unread)
+    fprintf(stderr, "gmds: %zu arrays or sections that are no part of a mesh were left out\n", soup->unread);
+  if (gmds_format_of_path(path, NULL, &format) != GMDS_OK)
+    return;
+  for (int place = 0; place < GMDS_PLACE_COUNT; place++)
+    for (const gmds_attribute *a = soup->attributes[place]; a; a = a->next)
+      if (!gmds_format_holds(format, soup, (gmds_place)place, a)) {
+        fputs(n++ ? ", " : "gmds: attributes left out: ", stderr);
+        put_name(stderr, a->name);
+        fprintf(stderr, " of %s", place_text(place));
+      }
+  if (n)
+    putc('\n', stderr);
+}
+
+static gmds_status write_soup(const char *path, const gmds_soup *soup, const gmds_write_options *options,
+                              gmds_error *error)
+{
+  if (!is_svg(path))
+    return gmds_write_soup_as(path, soup, options, error);
+  if (options->encoding != GMDS_ENCODING_USUAL || options->version)
+    return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "%.200s: a picture has no encodings and versions", path);
+  return write_picture(path, soup, error);
+}
+
 static int run_convert(const verb *v, int argc, char **argv)
 {
-  const char *path[2] = {NULL, NULL}, *dim_text = NULL;
-  int dim = 0;
-  const option options[] = {{"dim", 0, &dim_text, NULL, DIM_HELP}};
-  int code = read_arguments(v, argc, argv, options, 1, path, 2, 2);
+  const char *path[2] = {NULL, NULL}, *dim_text = NULL, *version_text = NULL;
+  int dim = 0, text = 0, binary = 0;
+  gmds_write_options how = {GMDS_ENCODING_USUAL, 0};
+  const option options[] = {
+      {"dim", 0, &dim_text, NULL, DIM_HELP},
+      {"text", 0, NULL, &text, "write numbers as text (what is usual for .vtk and .msh)"},
+      {"binary", 0, NULL, &binary, "write them in binary (what is usual for .vtu)"},
+      {"format-version", 0, &version_text, NULL, "V  of the format: .vtk 3.0 (usual) or 5.1, .msh 4.1 (usual) or 2.2"}};
+  int code = read_arguments(v, argc, argv, options, 4, path, 2, 2);
   if (code < 0)
     code = read_dim(v, dim_text, &dim);
+  if (code < 0)
+    code = read_version(v, version_text, &how.version);
+  if (code < 0 && text && binary)
+    code = misused(v, "either --text or --binary");
   if (code >= 0)
     return code;
+  how.encoding = text ? GMDS_ENCODING_TEXT : binary ? GMDS_ENCODING_BINARY : GMDS_ENCODING_USUAL;
   gmds_error error = {.status = GMDS_OK};
   gmds_memory memory;
   gmds_soup soup;
@@ -54,9 +118,11 @@ static int run_convert(const verb *v, int argc, char **argv)
   gmds_soup_init(&soup, &memory, 2);
   gmds_status status = read_any(path[0], dim, &error, &soup);
   if (status == GMDS_OK)
-    status = write_any(path[1], &soup, &error);
+    status = write_soup(path[1], &soup, &how, &error);
   if (status == GMDS_OK && soup.degenerate)
     fprintf(stderr, "gmds: %zu cells with two equal points were left out\n", soup.degenerate);
+  if (status == GMDS_OK)
+    note_left_out(path[1], &soup);
   gmds_soup_clear(&soup);
   return status == GMDS_OK ? DONE : failed("%s", error.text);
 }
@@ -84,6 +150,25 @@ static void bounding_box(const gmds_soup *soup, double low[3], double high[3])
     }
 }
 
+static void print_attributes(const gmds_soup *soup, int json)
+{
+  const char *comma = "";
+  for (int place = 0; place < GMDS_PLACE_COUNT; place++)
+    for (const gmds_attribute *a = soup->attributes[place]; a; a = a->next) {
+      if (!json) {
+        printf("  of %-11s ", place_text(place));
+        put_name(stdout, a->name);
+        printf(": %s", gmds_value_text(a->type));
+        printf(a->components > 1 ? " x %zu\n" : "\n", a->components);
+        continue;
+      }
+      printf("%s{\"of\":\"%s\",\"name\":", comma, place_text(place));
+      json_text(stdout, a->name);
+      printf(",\"type\":\"%s\",\"components\":%zu}", gmds_value_text(a->type), a->components);
+      comma = ",";
+    }
+}
+
 static void print_info(const gmds_soup *soup, const char *path, int json)
 {
   size_t count[GMDS_CELL_TYPE_COUNT] = {0};
@@ -101,8 +186,10 @@ static void print_info(const gmds_soup *soup, const char *path, int json)
         printf("%s\"%s\":%zu", comma, gmds_cell_type_text((gmds_cell_type)t), count[t]);
         comma = ",";
       }
-    printf("},\"low\":[%.17g,%.17g,%.17g],\"high\":[%.17g,%.17g,%.17g]}\n", low[0], low[1], low[2], high[0], high[1],
-           high[2]);
+    printf("},\"low\":[%.17g,%.17g,%.17g],\"high\":[%.17g,%.17g,%.17g],\"attributes\":[", low[0], low[1], low[2],
+           high[0], high[1], high[2]);
+    print_attributes(soup, json);
+    printf("],\"unread\":%zu}\n", soup->unread);
     return;
   }
   printf("%s: %zu points of %d coordinates\n", path, soup->n_points, soup->dim);
@@ -112,6 +199,9 @@ static void print_info(const gmds_soup *soup, const char *path, int json)
   if (soup->degenerate)
     printf("  left out       %zu (two of their points are the same)\n", soup->degenerate);
   printf("  from %.9g %.9g %.9g to %.9g %.9g %.9g\n", low[0], low[1], low[2], high[0], high[1], high[2]);
+  print_attributes(soup, json);
+  if (soup->unread)
+    printf("  not read       %zu arrays or sections that are no part of a mesh\n", soup->unread);
 }
 
 static int run_info(const verb *v, int argc, char **argv)
@@ -243,12 +333,13 @@ static int run_check(const verb *v, int argc, char **argv)
   return status == GMDS_OK ? DONE : FAILED;
 }
 
-const verb verb_convert = {"convert", "IN OUT [--dim 2|3]",
-                           "a mesh or points from one format to another (.off .vtk .mesh .node .txt "
-                           ".f64; a picture for .svg)",
-                           run_convert};
-const verb verb_info = {"info", "FILE [--json] [--dim 2|3]", "what a file holds: points, cells by type, bounding box",
-                        run_info};
+const verb verb_convert = {
+    "convert", "IN OUT [--dim 2|3] [--text|--binary] [--format-version V]",
+    "a mesh or points from one format to another (.off .obj .ply .stl .vtk .vtu .mesh .meshb .msh .node "
+    ".txt .f64; a picture for .svg), with its attributes where the format has a place for them",
+    run_convert};
+const verb verb_info = {"info", "FILE [--json] [--dim 2|3]",
+                        "what a file holds: points, cells by type, bounding box, attributes", run_info};
 const verb verb_check = {
     "check", "FILE [--json] [--dim 2|3]",
     "builds the mesh of a file with every relation, verifies them, and reports borders and the like", run_check};

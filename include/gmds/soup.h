@@ -10,9 +10,10 @@
 extern "C" {
 #endif
 
-/* X(name, dimension, number of points (0: any), text). Points of a cell are listed in VTK's order. A polyhedron is listed
- * as its faces are, VTK's face stream: the number of faces (4 or more), then for each face the number of its points (3 or
- * more) and these points; where its entries in `corners` are walked, the counts among them must be told apart. */
+/* X(name, dimension, number of points (0: any), text). Points of a cell are listed in VTK's order. A polyhedron is
+ * listed as its faces are, VTK's face stream: the number of faces (4 or more), then for each face the number of its
+ * points (3 or more) and these points; where its entries in `corners` are walked, the counts among them must be told
+ * apart. */
 #define GMDS_CELL_TYPE_LIST(X)                 \
   X(GMDS_VERTEX, 0, 1, "vertex")               \
   X(GMDS_SEGMENT, 1, 2, "edge")                \
@@ -61,10 +62,10 @@ void gmds_soup_clear(gmds_soup *soup);
  */
 gmds_status gmds_soup_reserve(gmds_soup *soup, size_t points, size_t cells, size_t corners);
 
-/* Appends a point of soup->dim coordinates, or a cell of n corners. Amortised constant time a number.
- * The attributes of what is appended are 0.
- * GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY; for a cell also GMDS_ERR_ARGUMENT (n is not of the type; the counts of a
- * polyhedron do not add up) and GMDS_ERR_CELL (a corner that is no point of the soup). On failure nothing is appended. */
+/* Appends a point of soup->dim coordinates, or a cell of n corners. Amortised constant time a number. The attributes of
+ * what is appended are 0. GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY; for a cell also GMDS_ERR_ARGUMENT (n is not of
+ * the type; the counts of a polyhedron do not add up) and GMDS_ERR_CELL (a corner that is no point of the soup). On
+ * failure nothing is appended. */
 gmds_status gmds_soup_add_point(gmds_soup *soup, const double *x);
 gmds_status gmds_soup_add_cell(gmds_soup *soup, gmds_cell_type type, size_t n, const gmds_id *corners);
 

@@ -100,7 +100,7 @@ elseif(MODE STREQUAL "cpp") # all headers in one C++ program
   file(WRITE ${SCRATCH}/every_header.h "${headers}")
   file(GLOB_RECURSE library ${PREFIX}/lib*/libgmds.*)
   must(${CXX} -std=c++17 -Wall -Wextra -Werror -I${SCRATCH} "-I${PREFIX}/include"
-    ${SOURCE}/tests/install/every_header.cpp -o ${SCRATCH}/every_header "${library}" -lm)
+    ${SOURCE}/tests/install/every_header.cpp -o ${SCRATCH}/every_header "${library}" ${LIBRARIES} -lm)
   must(${SCRATCH}/every_header)
 
 elseif(MODE STREQUAL "width") # a program compiled for other identifiers names what it misses
@@ -113,7 +113,7 @@ elseif(MODE STREQUAL "width") # a program compiled for other identifiers names w
   foreach(compiler ${COMPILERS})
     foreach(optimised -O0 -O2)
       must(${compiler} ${optimised} -I${SCRATCH}/include -c ${example} -o ${SCRATCH}/square.o)
-      execute_process(COMMAND ${compiler} ${SCRATCH}/square.o "${library}" -lm -o ${SCRATCH}/square
+      execute_process(COMMAND ${compiler} ${SCRATCH}/square.o "${library}" ${LIBRARIES} -lm -o ${SCRATCH}/square
         RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
       if(NOT failed OR NOT said MATCHES "gmds_compiled_for_${other}_bit_ids")
         message(FATAL_ERROR "${compiler} ${optimised} links identifiers of ${other} bits (${failed})\n${said}")

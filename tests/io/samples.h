@@ -19,6 +19,25 @@ typedef struct sample {
   "OFF # a square pyramid and a loose polygon\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 .5 1e0\n" \
   "4 0 3 2 1 255 0 0\n3 0 1 4\n5 0 1 2 3 4 0.5 0.5 0.5 1\n3 1 2 4\n"
 
+#define SAMPLE_OBJ                                                                                                  \
+  "# a square and more\nmtllib m.mtl\no square\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0\nv 0 1 .5\nvt 0 0\nvn 0 0 1\ng a b\n" \
+  "usemtl red\ns 1\nf 1/1 2/1/1 3//1 4\nf -1 -2 \\\n-3\nl 1 2 3\np 4\nv 2 2 2\nf 1 2 3 4 5\n"
+
+#define SAMPLE_PLY                                                                                                   \
+  "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n" \
+  "property uchar red\nproperty list uchar int odd\nelement face 2\nproperty double q\n"                             \
+  "property list uchar int vertex_indices\nelement edge 1\nproperty int vertex1\nproperty int vertex2\n"             \
+  "property double q\nelement tristrips 1\nproperty list int int vertex_index\nelement other 2\nproperty short a\n"  \
+  "end_header\n0 0 0 1 0\n1 0 0 2 1 5\n1 1 0 3 0\n0 1 1 255 0\n0.5 4 0 1 2 3\nnan 3 0 1 2\n3 1 7.5\n7 0 1 2 3 -1 2 " \
+  "3\n"                                                                                                              \
+  "1\n2\n"
+
+#define SAMPLE_STL                                                                                                    \
+  "solid two\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"          \
+  "facet normal nan 0 0\nouter loop\nvertex -0 1 0\nvertex 1 0 0\nvertex 1 1 2\nendloop\nendfacet\nfacet normal 0 0 " \
+  "0\n"                                                                                                               \
+  "outer loop\nvertex 1 1 2\nvertex 1 0 0\nvertex 1 0 -0\nendloop\nendfacet\nendsolid two\nsolid\nendsolid\n"
+
 #define SAMPLE_MEDIT                                                                                            \
   "MeshVersionFormatted 2\nDimension 3\nVertices 6\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\n1 0 1 1\n0 1 1 1\n"     \
   "Corners 2 1 2\nEdges 1\n1 2 7\nTriangles 1\n1 2 3 7\nQuadrilaterals 1\n1 2 5 4 0\nTetrahedra 1\n1 2 3 4 0\n" \
@@ -236,6 +255,54 @@ static inline void make_raw_vtu(sample_writer *w)
   put_text(w, "\n</AppendedData></VTKFile>\n");
 }
 
+static inline void make_binary_ply(sample_writer *w)
+{
+  put_text(w, "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+              "property short t\nelement face 1\nproperty list uchar uint vertex_index\nend_header\n");
+  for (int p = 0; p < 3; p++) {
+    put_big_double(w, p == 1);
+    put_big_double(w, p == 2);
+    put_big_endian(w, (uint64_t)p + 0xffff, 2);
+  }
+  put_big_endian(w, 3, 1);
+  for (unsigned k = 0; k < 3; k++)
+    put_big_endian(w, k, 4);
+}
+
+/* Its header begins as a text does. */
+static inline void make_binary_stl(sample_writer *w)
+{
+  static const unsigned char corners[2][3] = {{0, 1, 2}, {2, 1, 3}};
+  put_text(w, "solid but binary                                                                ");
+  put_little_endian(w, 2, 4);
+  for (int t = 0; t < 2; t++) {
+    put_little_endian(w, 0, 8);
+    put_little_endian(w, 0, 4);
+    for (int c = 0; c < 3; c++)
+      for (int k = 0; k < 3; k++)
+        put_little_endian(w, corners[t][c] >> k & 1 ? 0x3f800000u : 0, 4);
+    put_little_endian(w, t ? 0x1f : 0, 2);
+  }
+}
+
+/* Version 1, big-endian: a triangle with references, and a keyword that is not known. */
+static inline void make_meshb(sample_writer *w)
+{
+  static const unsigned head[] = {1, 1, 3, 20, 2, 4, 80, 3};
+  static const unsigned tail[] = {13, 96, 1, 2, 6, 124, 1, 1, 2, 3, 0xfffffff9u, 54, 0};
+  for (size_t k = 0; k < 8; k++)
+    put_big_endian(w, head[k], 4);
+  for (unsigned p = 0; p < 3; p++) {
+    put_big_endian(w, p == 1 ? 0x3f800000u : 0, 4);
+    put_big_endian(w, p == 2 ? 0x3f800000u : 0, 4);
+    put_big_endian(w, p, 4);
+  }
+  for (size_t k = 0; k < 3; k++) /* to the position that was announced */
+    put_big_endian(w, 0, 4);
+  for (size_t k = 0; k < sizeof tail / sizeof *tail; k++)
+    put_big_endian(w, tail[k], 4);
+}
+
 static inline void make_raw(sample_writer *w)
 {
   for (int k = 0; k < 6; k++) {
@@ -266,6 +333,11 @@ static inline void make_raw(sample_writer *w)
 #define SAMPLE_LIST(X)                                                    \
   X("OFF", GMDS_FORMAT_OFF, 0, 1, SAMPLE_OFF, NULL)                       \
   X("Medit", GMDS_FORMAT_MEDIT, 0, 1, SAMPLE_MEDIT, NULL)                 \
+  X("OBJ", GMDS_FORMAT_OBJ, 0, 0, SAMPLE_OBJ, NULL)                       \
+  X("PLY", GMDS_FORMAT_PLY, 0, 1, SAMPLE_PLY, NULL)                       \
+  X("PLY of words", GMDS_FORMAT_PLY, 0, 0, "", make_binary_ply)           \
+  X("STL", GMDS_FORMAT_STL, 0, 0, SAMPLE_STL, NULL)                       \
+  X("STL of words", GMDS_FORMAT_STL, 0, 0, "", make_binary_stl)           \
   X("VTK", GMDS_FORMAT_VTK, 0, 0, SAMPLE_VTK, NULL)                       \
   X("VTK 5", GMDS_FORMAT_VTK, 0, 0, SAMPLE_VTK_5, NULL)                   \
   X("VTK binary", GMDS_FORMAT_VTK, 0, 0, "", make_binary_vtk)             \
@@ -273,6 +345,7 @@ static inline void make_raw(sample_writer *w)
   X("VTK polyhedron", GMDS_FORMAT_VTK, 0, 0, SAMPLE_VTK_POLYHEDRON, NULL) \
   VTU_SAMPLES(X)                                                          \
   ZIP_SAMPLES(X)                                                          \
+  X("Medit of words", GMDS_FORMAT_MESHB, 0, 0, "", make_meshb)            \
   X("Gmsh 2.2", GMDS_FORMAT_GMSH, 0, 0, SAMPLE_GMSH_2, NULL)              \
   X("Gmsh 4.1", GMDS_FORMAT_GMSH, 0, 0, SAMPLE_GMSH_4, NULL)              \
   X("Gmsh 2.2 of words", GMDS_FORMAT_GMSH, 0, 0, "", make_binary_gmsh_2)  \

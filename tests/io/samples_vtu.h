@@ -1,5 +1,5 @@
-/* VTU: five points, a tetrahedron, the same as a polyhedron, a triangle, an attribute of points and one of cells; as text,
- * in base64, in base64 of blocks that are compressed, and appended in base64. */
+/* VTU: five points, a tetrahedron, the same as a polyhedron, a triangle, an attribute of points and one of cells; as
+ * text, in base64, in base64 of blocks that are compressed, and appended in base64. */
 #ifndef GMDS_TESTS_SAMPLES_VTU_H
 #define GMDS_TESTS_SAMPLES_VTU_H
 

@@ -130,7 +130,7 @@ START_TEST(what_is_no_file_is_refused)
   ck_assert_ptr_nonnull(strstr(h->error.text, "a.off: cannot be read: "));
   rmdir(path);
   rmdir(folder);
-  ck_assert_int_eq(gmds_read_soup("a.stl", 0, &h->error, &h->soup), GMDS_ERR_UNSUPPORTED);
+  ck_assert_int_eq(gmds_read_soup("a.xyzw", 0, &h->error, &h->soup), GMDS_ERR_UNSUPPORTED);
   held_free(h);
 }
 END_TEST

@@ -71,5 +71,28 @@ START_TEST(a_limit_on_memory_holds_for_readers)
 }
 END_TEST
 
+START_TEST(writers_that_need_memory_leave_no_file)
+{
+  static const char *const names[] = {"a.vtu", "a.msh"};
+  const double x[] = {0, 0, 0};
+  const gmds_id corners[] = {0, 1, 2};
+  const char *folder = fresh_folder();
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    held *h = held_new(3);
+    for (int p = 0; p < 3; p++)
+      ck_assert_int_eq(gmds_soup_add_point(&h->soup, x), GMDS_OK);
+    ck_assert_int_eq(gmds_soup_add_cell(&h->soup, GMDS_TRIANGLE, 3, corners), GMDS_OK);
+    size_t live = h->memory.live;
+    h->memory.limit = live;
+    ck_assert_int_eq(gmds_write_soup(path_in(folder, names[i]), &h->soup, &h->error), GMDS_ERR_MEMORY);
+    ck_assert_msg(strstr(h->error.text, names[i]) && strstr(h->error.text, "out of memory"), "%s", h->error.text);
+    ck_assert_uint_eq(files_in(folder), 0);
+    ck_assert_uint_eq(h->memory.live, live);
+    held_free(h);
+  }
+  rmdir(folder);
+}
+END_TEST
+
 RUN_SUITE("readers without memory", every_reader_survives_every_refusal, files_and_specs_survive_every_refusal,
-          a_limit_on_memory_holds_for_readers)
+          a_limit_on_memory_holds_for_readers, writers_that_need_memory_leave_no_file)

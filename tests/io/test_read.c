@@ -44,6 +44,8 @@ static const good cases[] = {
      "Vertices 3 0 0 1\n1 0 1\n0 1 1\nRequiredVertices 2 1 2\nBoundingBox 0 0 1 1\nEdges 1 3 1 5 Ridges 1 1\n"
      "NormalAtVertices 1 1 1 Normals 1 0 1 AngleOfCornerBound 30 Corners 0\nEND",
      "0,0 1,0 0,1 edge 2 0; "},
+    {GMDS_FORMAT_MEDIT, 0,
+     MEDIT_HEAD "Identifier\n\"a 2D mesh\"\nGeometry \"g\"\nVertices 1 0 1 0\nOther 2\n1 2 3 4\nEnd", "0,1 "},
     {GMDS_FORMAT_VTK, 0, VTK_HEAD "POINTS 0 float\nCELLS 0 0\nCELL_TYPES 0\n", ""},
     {GMDS_FORMAT_VTK, 0, VTK_HEAD SQUARE "CELLS 4 17\n4 0 1 2 3\n4 0 1 3 2\n2 0 1\n3 1 2 3\nCELL_TYPES 4\n8 9 3 7\n",
      SQUARE_POINTS "quadrilateral 0 1 3 2; quadrilateral 0 1 3 2; edge 0 1; triangle 1 2 3; "},
@@ -103,6 +105,17 @@ END_TEST
 #define WHOLE_LIST(X)                                                                                                  \
   X("VTK polyhedron", FIVE "polyhedron 4 3 0 2 1 3 0 1 3 3 0 3 2 3 1 2 3; tetrahedron 0 1 2 4; ",                      \
     "cells a b byte: 1,2 255,0; cells c float: 0.5 1; cells t double: 1,2,3,4,5,6,7,8,9 9,8,7,6,5,4,3,2,inf; ")        \
+  X("OBJ",                                                                                                             \
+    "0,0,0 1,0,0 1,1,0 0,1,0.5 2,2,2 quadrilateral 0 1 2 3; triangle 3 2 1; edge 0 1; edge 1 2; vertex 3; polygon 0 "  \
+    "1 2 3 4; ",                                                                                                       \
+    "")                                                                                                                \
+  X("PLY",                                                                                                             \
+    "0,0,0 1,0,0 1,1,0 0,1,1 quadrilateral 0 1 2 3; triangle 0 1 2; edge 3 1; triangle 0 1 2; triangle 2 1 3; ",       \
+    "points red byte: 1 2 3 255; cells q double: 0.5 nan 7.5 0 0; ")                                                   \
+  X("PLY of words", "0,0 1,0 0,1 triangle 0 1 2; ", "points t int: -1 0 1; ")                                          \
+  X("STL", "0,0,0 1,0,0 0,1,0 1,1,2 triangle 0 1 2; triangle 2 1 3; ", "")                                             \
+  X("STL of words", "0,0 1,0 0,1 1,1 triangle 0 1 2; triangle 2 1 3; ", "")                                            \
+  X("Medit of words", "0,0 1,0 0,1 triangle 0 1 2; ", "points ref int: 0 1 2; cells ref int: -7; ")                    \
   X("VTU", FIVE BOTH, VTU_ATTRIBUTES)                                                                                  \
   X("VTU base64", FIVE BOTH, VTU_ATTRIBUTES)                                                                           \
   X("VTU compressed", FIVE BOTH, VTU_ATTRIBUTES)                                                                       \
@@ -147,6 +160,58 @@ START_TEST(samples_become_their_soups_with_attributes)
   }
 }
 END_TEST
+
+START_TEST(a_library_without_others_says_so)
+{
+  held *h = held_new(2);
+  const char *file = GMDS_HAVE_EXPAT ? SAMPLE_VTU_ZIP : SAMPLE_VTU_TEXT;
+  gmds_status status = read_bytes(h, GMDS_FORMAT_VTU, file, strlen(file), 0);
+  if (GMDS_HAVE_EXPAT && GMDS_HAVE_ZLIB) {
+    ck_assert_int_eq(status, GMDS_OK);
+  } else {
+    ck_assert_int_eq(status, GMDS_ERR_UNSUPPORTED);
+    ck_assert_msg(strstr(h->error.text, GMDS_HAVE_EXPAT ? "without zlib" : "without Expat") != NULL, "%s",
+                  h->error.text);
+  }
+  held_free(h);
+}
+END_TEST
+
+#if GMDS_HAVE_EXPAT
+#  define PIECE(numbers, attribute)                                                                                  \
+    "<Piece NumberOfPoints=\"3\" NumberOfCells=\"1\"><PointData>" attribute "</PointData><Points>"                   \
+    "<DataArray type=\"Float64\" NumberOfComponents=\"3\"><InformationKey/> " numbers "</DataArray></Points><Cells>" \
+    "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 2 1</DataArray><DataArray type=\"Int64\" "   \
+    "Name=\"offsets\">3</DataArray><DataArray type=\"UInt8\" Name=\"types\">5</DataArray><DataArray type=\"Int64\" " \
+    "Name=\"faces\"/><DataArray type=\"Int64\" Name=\"faceoffsets\"/></Cells></Piece>"
+
+START_TEST(pieces_of_vtu_are_joined)
+{
+  static const char file[] =
+      "<!-- a comment --><VTKFile type='UnstructuredGrid'><UnstructuredGrid><FieldData><DataArray type='Float64' "
+      "Name='TimeValue'>1</DataArray></FieldData>" PIECE("0 0 0 1 0 0 0 1 0", "")
+          PIECE("2 0 0 3 0 0 2 1 0", "<DataArray type='Int32' Name='a&lt;b' NumberOfComponents='1'>-1 2 -3</DataArray>"
+                                     "<Array type='String' Name='s' format='ascii'>97 0</Array>")
+              PIECE("4 0 0 5 0 0 4 1 0",
+                    "<DataArray type='Int32' Name='a&lt;b'>7 8 9</DataArray>") "<Piece NumberOfPoints='0' "
+                                                                               "NumberOfCells='0'/></"
+                                                                               "UnstructuredGrid></VTKFile>";
+  held *h = held_new(2);
+  ck_assert_msg(read_bytes(h, GMDS_FORMAT_VTU, file, sizeof file - 1, 0) == GMDS_OK, "%s", h->error.text);
+  ck_assert_str_eq(soup_text(&h->soup), "0,0 1,0 0,1 2,0 3,0 2,1 4,0 5,0 4,1 "
+                                        "triangle 0 2 1; triangle 3 5 4; triangle 6 8 7; ");
+  ck_assert_str_eq(attributes_text(&h->soup), "points a<b int: 0 0 0 -1 2 -3 7 8 9; ");
+  ck_assert_uint_eq(h->soup.unread, 2);
+  held_free(h);
+}
+END_TEST
+#else
+START_TEST(pieces_of_vtu_are_joined)
+{
+  printf("skipped, built without Expat: pieces of VTU\n");
+}
+END_TEST
+#endif
 
 START_TEST(every_sample_is_valid)
 {
@@ -233,7 +298,7 @@ START_TEST(formats_go_by_extension_in_any_case)
 END_TEST
 
 RUN_SUITE("reading", valid_files_become_their_soups, binary_vtk_files_become_their_soups,
-          samples_become_their_soups_with_attributes, every_sample_is_valid,
-          cells_with_a_repeated_corner_are_left_out_and_counted, a_plane_is_asked_for_of_points_in_space,
-          volumes_stay_in_space, a_soup_that_is_not_empty_and_other_dimensions_are_refused,
-          formats_go_by_extension_in_any_case)
+          samples_become_their_soups_with_attributes, a_library_without_others_says_so, pieces_of_vtu_are_joined,
+          every_sample_is_valid, cells_with_a_repeated_corner_are_left_out_and_counted,
+          a_plane_is_asked_for_of_points_in_space, volumes_stay_in_space,
+          a_soup_that_is_not_empty_and_other_dimensions_are_refused, formats_go_by_extension_in_any_case)

@@ -12,31 +12,38 @@
 #define FLAT_USUAL (FLAT & USUAL_TYPES)
 
 /* X(file name, dim, types of cells that go through it unchanged, one bit each, encoding, version) */
-#define ROUND_LIST(X)                                      \
-  X("a.off", 2, FACES, USUAL, 0)                           \
-  X("a.off", 3, FACES, USUAL, 0)                           \
-  X("a.vtk", 2, FLAT, USUAL, 0)                            \
-  X("a.vtk", 3, ALL, TEXT, 30)                             \
-  X("a.vtk", 3, ALL, BINARY, 30)                           \
-  X("a.vtk", 3, ALL, TEXT, 51)                             \
-  X("a.vtk", 2, FLAT, BINARY, 51)                          \
-  X("a.vtk", 3, ALL, BINARY, 51)                           \
-  X("a.vtu", 2, FLAT, USUAL, 0)                            \
-  X("a.vtu", 3, ALL, TEXT, 0)                              \
-  X("a.vtu", 3, ALL, BINARY, 0)                            \
-  X("a.mesh", 2, FLAT_USUAL - BIT(GMDS_VERTEX), USUAL, 0)  \
-  X("a.mesh", 3, USUAL_TYPES - BIT(GMDS_VERTEX), TEXT, 20) \
-  X("a.msh", 2, FLAT_USUAL, USUAL, 0)                      \
-  X("a.msh", 3, USUAL_TYPES, TEXT, 41)                     \
-  X("a.msh", 3, USUAL_TYPES, BINARY, 41)                   \
-  X("a.msh", 3, USUAL_TYPES, TEXT, 22)                     \
-  X("a.msh", 2, FLAT_USUAL, BINARY, 22)                    \
-  X("a.msh", 3, USUAL_TYPES, BINARY, 22)                   \
-  X("a.node", 2, 0, USUAL, 0)                              \
-  X("a.node", 3, 0, USUAL, 0)                              \
-  X("a.f64", 2, 0, USUAL, 0)                               \
-  X("a.f64", 3, 0, BINARY, 0)                              \
-  X("a.txt", 2, 0, USUAL, 0)                               \
+#define ROUND_LIST(X)                                         \
+  X("a.off", 2, FACES, USUAL, 0)                              \
+  X("a.off", 3, FACES, USUAL, 0)                              \
+  X("a.obj", 2, FLAT, USUAL, 0)                               \
+  X("a.obj", 3, FLAT, TEXT, 0)                                \
+  X("a.ply", 2, FACES, USUAL, 0)                              \
+  X("a.ply", 3, FACES, TEXT, 10)                              \
+  X("a.ply", 3, FACES, BINARY, 0)                             \
+  X("a.vtk", 2, FLAT, USUAL, 0)                               \
+  X("a.vtk", 3, ALL, TEXT, 30)                                \
+  X("a.vtk", 3, ALL, BINARY, 30)                              \
+  X("a.vtk", 3, ALL, TEXT, 51)                                \
+  X("a.vtk", 2, FLAT, BINARY, 51)                             \
+  X("a.vtk", 3, ALL, BINARY, 51)                              \
+  X("a.vtu", 2, FLAT, USUAL, 0)                               \
+  X("a.vtu", 3, ALL, TEXT, 0)                                 \
+  X("a.vtu", 3, ALL, BINARY, 0)                               \
+  X("a.mesh", 2, FLAT_USUAL - BIT(GMDS_VERTEX), USUAL, 0)     \
+  X("a.mesh", 3, USUAL_TYPES - BIT(GMDS_VERTEX), TEXT, 20)    \
+  X("a.meshb", 2, FLAT_USUAL - BIT(GMDS_VERTEX), USUAL, 0)    \
+  X("a.meshb", 3, USUAL_TYPES - BIT(GMDS_VERTEX), BINARY, 30) \
+  X("a.msh", 2, FLAT_USUAL, USUAL, 0)                         \
+  X("a.msh", 3, USUAL_TYPES, TEXT, 41)                        \
+  X("a.msh", 3, USUAL_TYPES, BINARY, 41)                      \
+  X("a.msh", 3, USUAL_TYPES, TEXT, 22)                        \
+  X("a.msh", 2, FLAT_USUAL, BINARY, 22)                       \
+  X("a.msh", 3, USUAL_TYPES, BINARY, 22)                      \
+  X("a.node", 2, 0, USUAL, 0)                                 \
+  X("a.node", 3, 0, USUAL, 0)                                 \
+  X("a.f64", 2, 0, USUAL, 0)                                  \
+  X("a.f64", 3, 0, BINARY, 0)                                 \
+  X("a.txt", 2, 0, USUAL, 0)                                  \
   X("a.csv", 3, 0, TEXT, 0)
 
 static const struct {
@@ -197,6 +204,38 @@ START_TEST(every_format_gives_back_every_cell_and_every_bit)
 }
 END_TEST
 
+/* STL has no points, but triangles: they are the same in their order, and no two points are equal. */
+START_TEST(triangles_go_through_stl)
+{
+  static const gmds_write_options as[] = {{GMDS_ENCODING_TEXT, 0}, {GMDS_ENCODING_BINARY, 0}};
+  uint64_t seed = 11;
+  const char *folder = fresh_folder(), *path = path_in(folder, "a.stl");
+  for (size_t i = 0; i < 20; i++) {
+    held *out = held_new(3), *in = held_new(2);
+    for (int p = 0; p < 300; p++) {
+      double x[3];
+      for (int k = 0; k < 3; k++)
+        x[k] = i % 2 ? (double)random_below(&seed, 1 << 20) * 0x1p-10 : (double)random_below(&seed, 10) - 4;
+      ck_assert_int_eq(gmds_soup_add_point(&out->soup, x), GMDS_OK);
+    }
+    for (gmds_id c = 0; c < 298; c++) {
+      const gmds_id corners[] = {c, c + 1, c + 2};
+      ck_assert_int_eq(gmds_soup_add_cell(&out->soup, GMDS_TRIANGLE, 3, corners), GMDS_OK);
+    }
+    ck_assert_msg(gmds_write_soup_as(path, &out->soup, &as[i / 2 % 2], &out->error) == GMDS_OK, "%s", out->error.text);
+    ck_assert_msg(gmds_read_soup(path, 3, &in->error, &in->soup) == GMDS_OK, "%s", in->error.text);
+    ck_assert_uint_eq(in->soup.n_cells + in->soup.degenerate, 298);
+    for (size_t c = 0; !in->soup.degenerate && c < 298; c++)
+      for (size_t k = 0; k < 3; k++)
+        ck_assert_mem_eq(in->soup.points + 3 * in->soup.corners[3 * c + k], out->soup.points + 3 * (c + k), 24);
+    unlink(path);
+    held_free(in);
+    held_free(out);
+  }
+  rmdir(folder);
+}
+END_TEST
+
 START_TEST(an_empty_soup_goes_through_every_format)
 {
   const char *folder = fresh_folder();
@@ -231,5 +270,5 @@ START_TEST(the_locale_does_not_matter)
 }
 END_TEST
 
-RUN_SUITE("round trips", every_format_gives_back_every_cell_and_every_bit, an_empty_soup_goes_through_every_format,
-          the_locale_does_not_matter)
+RUN_SUITE("round trips", every_format_gives_back_every_cell_and_every_bit, triangles_go_through_stl,
+          an_empty_soup_goes_through_every_format, the_locale_does_not_matter)

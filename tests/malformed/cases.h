@@ -22,6 +22,7 @@
   "<Cells><DataArray type=\"Int32\" Name=\"connectivity\">" connectivity "</DataArray>\n" \
   "<DataArray type=\"Int32\" Name=\"offsets\">" offsets "</DataArray>\n"                  \
   "<DataArray type=\"Int32\" Name=\"types\">" types "</DataArray></Cells>\n"
+#define BAD_MESHB "\1\0\0\0\1\0\0\0\3\0\0\0\0\0\0\0\3\0\0\0"
 #define BAD_MEDIT "MeshVersionFormatted 1\nDimension 2\n"
 #define BAD_MEDIT_TRIANGLE BAD_MEDIT "Vertices 3\n0 0 1\n1 0 1\n0 1 1\n"
 
@@ -190,6 +191,39 @@
     BAD_BINARY "POINTS 1 float\n\0\0\0\0\0\0\0\0\0\0\0\0\nCELLS 1 2\n\0\0\0\x01\0\0\0\x01\n"                           \
                "CELL_TYPES 1\n\0\0\0\x01\n",                                                                           \
     "name: byte 104: expected an index below 1, found 1")                                                              \
+  X(OBJ, FORMAT, "v 0 0\n", "name:1: expected a coordinate, found the end of the line")                                \
+  X(OBJ, FORMAT, "v 0 0 0\nv 1 0 0\nf 1 2 3\n", "name:3: expected an index from 1 to 2, found '3'")                    \
+  X(OBJ, FORMAT, "v 0 0 0\nv 1 0 0\nf 1 2 0\n", "name:3: expected an index from 1 to 2, found '0'")                    \
+  X(OBJ, FORMAT, "v 0 0 0\nv 1 0 0\nf 1 2 -3\n", "name:3: an index 3 back of 2 points")                                \
+  X(OBJ, FORMAT, "v 0 0 0\nv 1 0 0\nf 1 2\n", "name:3: a face of 2 points")                                            \
+  X(OBJ, FORMAT, "v 0 0 0\nl 1\n", "name:2: a line of 1 points")                                                       \
+  X(OBJ, UNSUPPORTED, "cstype bezier\n", "name:1: cstype: free-form curves and surfaces are not read")                 \
+  X(OBJ, FORMAT, "solid\n", "name:1: expected a keyword of OBJ, found 'solid'")                                        \
+  X(PLY, FORMAT, "plx\n", "name:1: expected ply, found 'plx'")                                                         \
+  X(PLY, FORMAT, "ply\nformat odd 1.0\n",                                                                              \
+    "name:2: expected ascii, binary_little_endian or binary_big_endian, found 'odd'")                                  \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nproperty int x\n", "name:3: a property before any element")                   \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\n",                                         \
+    "name:4: expected a type of numbers, found 'real'")                                                                \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float x\n",                      \
+    "name:5: a property is there a second time")                                                                       \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nelement vertex 1\nproperty float a\nproperty float a\n",                      \
+    "name:5: the attribute 'a' of points is there a second time")                                                      \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n",                         \
+    "name:6: an element lacks coordinates or indices of points")                                                       \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nelement vertex 900\nproperty float x\nproperty float y\nend_header\n0 0\n",   \
+    "name:7: 900 elements are declared, but only 4 bytes remain")                                                      \
+  X(PLY, FORMAT, "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n0 0\n",                                         \
+    "name:5: an element lacks coordinates or indices of points")                                                       \
+  X(PLY, FORMAT,                                                                                                       \
+    "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty double x\nproperty double "                      \
+    "y\nend_header\n0123456789",                                                                                       \
+    "name: byte 108: expected a number, found the end of the file")                                                    \
+  X(STL, FORMAT, "solid\nfacet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0\n",                                     \
+    "name:3: expected a coordinate, found the end of the file")                                                        \
+  X(STL, FORMAT, "solid\n", "name:2: expected facet or endsolid, found the end of the file")                           \
+  X(STL, FORMAT, "stl\n", "name:1: expected solid, found 'stl'")                                                       \
+  X(STL, FORMAT, "solid\nendsolid\nmore\n", "name:3: expected solid, found 'more'")                                    \
   X(VTK, FORMAT, BAD_VTK BAD_TRIANGLE "CELLS 1 3\n2 1 0\nCELL_TYPES 1\n42\n",                                          \
     "name:8: expected a polyhedron of 4 faces or more, each of 3 points or more")                                      \
   X(VTK, FORMAT, BAD_VTK BAD_TRIANGLE "CELLS 1 18\n17 4 3 0 2 1 3 0 1 3 3 0 3 2 3 1 2 3\nCELL_TYPES 1\n42\n",          \
@@ -202,6 +236,16 @@
     "name:10: expected a whole number that its type holds, found '256'")                                               \
   X(VTK, UNSUPPORTED, BAD_POLYDATA BAD_TRIANGLE "POLYGONS 0 0\nLINES 0 0\n",                                           \
     "name:8: LINES behind POLYGONS: only the usual order is read")                                                     \
+  X(MESHB, FORMAT, "MeshVersionFormatted 2", "name: byte 0: expected the number 1 as an int")                          \
+  X(MESHB, UNSUPPORTED, "\1\0\0\0\7\0\0\0", "name: byte 8: expected a version from 1 to 4, found 7")                   \
+  X(MESHB, FORMAT, BAD_MESHB, "name: byte 20: expected a keyword, found the end of the file")                          \
+  X(MESHB, FORMAT, BAD_MESHB "\4\0\0\0\0\0\0\0\4\0\0\0",                                                               \
+    "name: byte 32: 4 Vertices are declared, but only 0 bytes remain")                                                 \
+  X(MESHB, FORMAT, BAD_MESHB "\5\0\0\0\0\0\0\0\1\0\0\0\1\0\0\0\2\0\0\0\0\0\0\0",                                       \
+    "name: byte 32: expected an index from 1 to 0, found 1")                                                           \
+  X(MESHB, UNSUPPORTED, BAD_MESHB "\x18\0\0\0\0\0\0\0",                                                                \
+    "name: byte 28: TrianglesP2: only cells of the first order are read")                                              \
+  X(MESHB, FORMAT, BAD_MESHB "\x63\0\0\0\5\0\0\0", "name: byte 28: expected a position from here to the end, found 5") \
   X(GMSH, FORMAT, "", "name:1: expected $MeshFormat, found the end of the file")                                       \
   X(GMSH, UNSUPPORTED, "$MeshFormat\n4.0 0 8\n", "name:2: version 4: only 2.2 and 4.1 are read")                       \
   X(GMSH, UNSUPPORTED, "$MeshFormat\n4.1 0 4\n", "name:2: expected 0 or 1 and a size of 8, found 0 and 4")             \
@@ -213,7 +257,7 @@
   X(GMSH, FORMAT, BAD_MSH "$Nodes\n1\n1 0 x 0\n", "name:6: expected a coordinate, found 'x'")                          \
   X(GMSH, COORDINATE, BAD_MSH "$Nodes\n1\n1 0 inf 0\n",                                                                \
     "name:6: a coordinate of point 0 (from 0) is not a finite number: 'inf'")                                          \
-  X(GMSH, FORMAT, BAD_MSH "$Nodes\n2\n1 0 0 0\n1 0 0 0\n$EndNodes\n", "name:7: two nodes have the number 1")           \
+  X(GMSH, FORMAT, BAD_MSH "$Nodes\n2\n1 0 0 0\n1 0 0 0\n$EndNodes\n", "name:7: 2 nodes have the number 1")             \
   X(GMSH, FORMAT, BAD_MSH "$Nodes\n1\n1 0 0 0\n2 0 0 0\n$EndNodes\n", "name:7: expected $EndNodes, found '2'")         \
   X(GMSH, FORMAT, BAD_MSH_NODES "$Nodes\n0\n$EndNodes\n", "name:10: $Nodes are listed a second time")                  \
   X(GMSH, FORMAT, BAD_MSH_NODES "$Elements\n1\n1 2 2 0 0 1 2 4\n", "name:12: no node has the number 4")                \
@@ -241,48 +285,53 @@
     "name: byte 47: expected a number of blocks, found the end of the file")
 
 /* X(format, status, bytes, sentence): these need Expat. */
-#define MALFORMED_VTU_LIST(X)                                                                                          \
-  X(VTU, FORMAT, "", "name:1: this is not XML: no element found")                                                      \
-  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\">\n<x></VTKFile>", "name:2: this is not XML: mismatched tag")      \
-  X(VTU, FORMAT, "<vtk/>", "name:1: expected VTKFile, found 'vtk'")                                                    \
-  X(VTU, UNSUPPORTED, "<VTKFile type=\"PolyData\"/>", "name:1: type PolyData: only UnstructuredGrid is read")          \
-  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\" byte_order=\"Middle\"/>",                                         \
-    "name:1: expected LittleEndian or BigEndian, found 'Middle'")                                                      \
-  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\" header_type=\"UInt8\"/>",                                         \
-    "name:1: expected UInt32 or UInt64, found 'UInt8'")                                                                \
-  X(VTU, UNSUPPORTED, "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkLZ4DataCompressor\"/>",                      \
-    "name:1: vtkLZ4DataCompressor: only vtkZLibDataCompressor is read")                                                \
-  X(VTU, FORMAT, BAD_VTU_PIECE("x", "1") BAD_VTU_END, "name:2: expected NumberOfPoints, found 'x'")                    \
-  X(VTU, FORMAT, BAD_VTU_PIECE("3", "0") BAD_VTU_END, "name:2: the piece has no array of Points")                      \
-  X(VTU, FORMAT, BAD_VTU_PIECE("900", "0") BAD_VTU_POINTS("format=\"ascii\">0 0 0") BAD_VTU_END,                       \
-    "name:3: 2700 numbers are declared, but only 5 bytes remain")                                                      \
-  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"ascii\">0 0 0 0") BAD_VTU_END,                       \
-    "name:3: expected the end of the array, found '0'")                                                                \
-  X(VTU, COORDINATE, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"ascii\">\n0 nan 0") BAD_VTU_END,                 \
-    "name:4: a coordinate of point 0 (from 0) is not a finite number: 'nan'")                                          \
-  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"odd\">0 0 0") BAD_VTU_END,                           \
-    "name:3: expected ascii, binary or appended, found 'odd'")                                                         \
-  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">DAAAAAAAAAAAAAAAAAAA") BAD_VTU_END,         \
-    "name:3: the array ends before its numbers do, or is not base64")                                                  \
-  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">CAAAAAAAAAAAAAAA") BAD_VTU_END,             \
-    "name:3: expected 3 numbers of 4 bytes, found 8 bytes")                                                            \
-  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">DAAAAAA*AAAAAAAAAAAA") BAD_VTU_END,         \
-    "name:3: the array ends before its numbers do, or is not base64")                                                  \
-  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"appended\" offset=\"5\">") BAD_VTU_END,              \
-    "name:3: the array is appended at 5, where there is nothing")                                                      \
-  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 3", "3", "5") BAD_VTU_END,                                        \
-    "name:4: expected an index from 0 to 2, found '3'")                                                                \
-  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "900", "5") BAD_VTU_END,                                      \
-    "name:4: 900 numbers are declared, but only 5 bytes remain")                                                       \
-  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "-1", "5") BAD_VTU_END,                                       \
-    "name:5: expected an offset, found -1")                                                                            \
-  X(VTU, UNSUPPORTED, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "3", "22") BAD_VTU_END,                                  \
-    "name:4: cells of VTK's type 22 are not read")                                                                     \
-  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "3", "42") BAD_VTU_END, "name:6: a polyhedron without faces") \
-  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_END, "name:2: the piece has no array of offsets")                            \
-  X(VTU, FORMAT,                                                                                                       \
-    BAD_VTU_TRIANGLE BAD_VTU_CELLS(                                                                                    \
-        "0 1 2", "3",                                                                                                  \
-        "5") "<CellData><DataArray type=\"Int8\" Name=\"a\">3000000000</DataArray></CellData>" BAD_VTU_END,            \
+#define MALFORMED_VTU_LIST(X)                                                                                     \
+  X(VTU, FORMAT, "", "name:1: this is not XML: no element found")                                                 \
+  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\">\n<x></VTKFile>", "name:2: this is not XML: mismatched tag") \
+  X(VTU, FORMAT,                                                                                                  \
+    BAD_VTU "<Piece NumberOfPoints=\"3\" NumberOfCells=\"0\"><PointData><DataArray type=\"Int8\" "                \
+            "Name=\"a\"><AppendedData encoding=\"raw\">_1",                                                       \
+    "name:2: AppendedData is not behind the grid")                                                                \
+  X(VTU, FORMAT, "<vtk/>", "name:1: expected VTKFile, found 'vtk'")                                               \
+  X(VTU, UNSUPPORTED, "<VTKFile type=\"PolyData\"/>", "name:1: type PolyData: only UnstructuredGrid is read")     \
+  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\" byte_order=\"Middle\"/>",                                    \
+    "name:1: expected LittleEndian or BigEndian, found 'Middle'")                                                 \
+  X(VTU, FORMAT, "<VTKFile type=\"UnstructuredGrid\" header_type=\"UInt8\"/>",                                    \
+    "name:1: expected UInt32 or UInt64, found 'UInt8'")                                                           \
+  X(VTU, UNSUPPORTED, "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkLZ4DataCompressor\"/>",                 \
+    "name:1: vtkLZ4DataCompressor: only vtkZLibDataCompressor is read")                                           \
+  X(VTU, FORMAT, BAD_VTU_PIECE("x", "1") BAD_VTU_END, "name:2: expected NumberOfPoints, found 'x'")               \
+  X(VTU, FORMAT, BAD_VTU_PIECE("3", "0") BAD_VTU_END, "name:2: the piece has no array of Points")                 \
+  X(VTU, FORMAT, BAD_VTU_PIECE("900", "0") BAD_VTU_POINTS("format=\"ascii\">0 0 0") BAD_VTU_END,                  \
+    "name:3: 2700 numbers are declared, but only 5 bytes remain")                                                 \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"ascii\">0 0 0 0") BAD_VTU_END,                  \
+    "name:3: expected the end of the array, found '0'")                                                           \
+  X(VTU, COORDINATE, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"ascii\">\n0 nan 0") BAD_VTU_END,            \
+    "name:4: a coordinate of point 0 (from 0) is not a finite number: 'nan'")                                     \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"odd\">0 0 0") BAD_VTU_END,                      \
+    "name:3: expected ascii, binary or appended, found 'odd'")                                                    \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">DAAAAAAAAAAAAAAAAAAA") BAD_VTU_END,    \
+    "name:3: the array ends before its numbers do, or is not base64")                                             \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">CAAAAAAAAAAAAAAA") BAD_VTU_END,        \
+    "name:3: expected 3 numbers of 4 bytes, found 8 bytes")                                                       \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"binary\">DAAAAAA*AAAAAAAAAAAA") BAD_VTU_END,    \
+    "name:3: the array ends before its numbers do, or is not base64")                                             \
+  X(VTU, FORMAT, BAD_VTU_PIECE("1", "0") BAD_VTU_POINTS("format=\"appended\" offset=\"5\">") BAD_VTU_END,         \
+    "name:3: the array is appended at 5, where there is nothing")                                                 \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 3", "3", "5") BAD_VTU_END,                                   \
+    "name:4: expected an index from 0 to 2, found '3'")                                                           \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "900", "5") BAD_VTU_END,                                 \
+    "name:4: 900 numbers are declared, but only 5 bytes remain")                                                  \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "-1", "5") BAD_VTU_END,                                  \
+    "name:5: expected an offset, found -1")                                                                       \
+  X(VTU, UNSUPPORTED, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "3", "22") BAD_VTU_END,                             \
+    "name:4: cells of VTK's type 22 are not read")                                                                \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_CELLS("0 1 2", "3", "42") BAD_VTU_END,                                  \
+    "name:2: the piece has no array of faceoffsets")                                                              \
+  X(VTU, FORMAT, BAD_VTU_TRIANGLE BAD_VTU_END, "name:2: the piece has no array of offsets")                       \
+  X(VTU, FORMAT,                                                                                                  \
+    BAD_VTU_TRIANGLE BAD_VTU_CELLS(                                                                               \
+        "0 1 2", "3",                                                                                             \
+        "5") "<CellData><DataArray type=\"Int8\" Name=\"a\">3000000000</DataArray></CellData>" BAD_VTU_END,       \
     "name:7: expected a whole number that its type holds, found '3000000000'")
 #endif

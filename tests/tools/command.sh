@@ -210,6 +210,67 @@ run 0 convert random:100:1 points.f64
 run 0 convert points.f64 points.txt
 run 0 info points.f64 --json && prints '"points":100' && prints '"dim":2'
 run 0 delaunay points.txt --json && prints '"points":100'
+# ---- volumes and attributes
+cat >two.msh <<'END'
+$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+3 7 "body"
+$EndPhysicalNames
+$Nodes
+5
+1 0 0 0
+2 1 0 0
+3 0 1 0
+4 0 0 1
+5 1 1 1
+$EndNodes
+$Elements
+3
+1 2 2 9 1 1 2 3
+2 4 2 7 1 1 2 3 4
+3 4 2 7 1 5 4 3 2
+$EndElements
+$NodeData
+1
+"heat"
+0
+3
+0
+1
+5
+1 0.1
+2 0.2
+3 0.3
+4 0.4
+5 0.5
+$EndNodeData
+END
+run 0 info two.msh --json && prints '"tetrahedron":2' && prints '"triangle":1' && prints '"unread":1' &&
+  prints '{"of":"points","name":"heat","type":"double","components":1}' &&
+  prints '{"of":"cells","name":"physical","type":"int","components":1}'
+run 0 info two.msh && prints 'of points *heat: double' && prints 'not read *1 '
+run 0 convert two.msh two.vtu && says '1 arrays or sections'
+run 0 convert two.msh two.vtk --binary --format-version 5.1
+run 0 convert two.vtk two2.vtk --text && [ ! -s err ] || fail "a note about nothing: $(cat err)"
+run 0 info two2.vtk --json && prints '"name":"heat"' && prints '"name":"geometrical"' && prints '"unread":0'
+run 0 convert two2.vtk back.msh --format-version 2.2 && run 0 convert back.msh back.vtk && cmp -s two2.vtk back.vtk ||
+  fail 'attributes change on their way through .msh'
+run 0 convert two2.vtk back4.msh --binary && run 0 convert back4.msh back4.vtk && cmp -s two2.vtk back4.vtk ||
+  fail 'attributes change on their way through binary .msh'
+run 0 convert two.msh two.mesh && says 'attributes left out: heat of points, physical of cells, geometrical of cells'
+run 1 convert two.msh two.off && says 'OFF cannot hold cell 1' && absent two.off
+run 1 convert two.msh two.mesh --binary && says 'Medit is not written in binary'
+run 1 convert two.msh three.msh --format-version 4.0 && says 'not written in version 4.0' && absent three.msh
+run 2 convert two.msh three.msh --format-version four
+run 2 convert two.msh three.msh --text --binary
+if "$gmds" info two.vtu >out 2>err; then
+  prints 'tetrahedron *2' && run 0 convert two.vtu two3.vtk && cmp -s two2.vtk two3.vtk || fail '.vtu changes attributes'
+else
+  says 'built without Expat'
+fi
 "$gmds" --help >/dev/full 2>err && fail 'a help that cannot be printed succeeds'
 run 1 info "$dir"
 cp cube.off same.off
