@@ -9,12 +9,21 @@
 #  ifdef FACES
 #    define GMDS_FACES FACES
 #  endif
+#  ifdef REGIONS
+#    define GMDS_REGIONS REGIONS
+#  endif
 #  include <gmds/mesh.h>
-#  include <gmds/algorithms/delaunay.h>
-#  include <gmds/algorithms/boundary.h>
-#  include <gmds/algorithms/components.h>
-#  include <gmds/algorithms/smoothing.h>
+#  if GMDS_TOP == 2 || defined TRIANGULATES
+#    include <gmds/algorithms/delaunay.h>
+#  endif
+#  if GMDS_TOP == 2
+#    include <gmds/algorithms/boundary.h>
+#    include <gmds/algorithms/components.h>
+#    include <gmds/algorithms/smoothing.h>
+#  endif
 #  include <gmds/end.h>
 #  undef MODEL
 #  undef FACES
+#  undef REGIONS
+#  undef TRIANGULATES
 #endif
