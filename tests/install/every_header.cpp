@@ -63,6 +63,34 @@ static void soups(gmds_memory *memory)
   gmds_soup_clear(&soup);
 }
 
+static void volumes(gmds_memory *memory)
+{
+  gmds_complex complex;
+  gmds_volume volume;
+  gmds_soup soup;
+  gmds_csr csr;
+  gmds_stored_relations stored = {};
+  const double x[] = {0, 0, 0};
+  const gmds_id corners[] = {0, 1, 2, 3};
+  expect(gmds_shape_of(GMDS_PRISM)->faces == 5 && !gmds_shape_of(GMDS_POLYHEDRON), "a prism has five faces");
+  gmds_soup_init(&soup, memory, 3);
+  for (int k = 0; k < 4; k++)
+    expect(gmds_soup_add_point(&soup, x) == GMDS_OK, "a soup takes points in space");
+  expect(gmds_soup_add_cell(&soup, GMDS_TETRAHEDRON, 4, corners) == GMDS_OK, "a soup takes a tetrahedron");
+  gmds_volume_init(&volume, memory);
+  expect(gmds_volume_from_soup(&volume, &soup, nullptr) == GMDS_OK, "a volume is made from a soup");
+  gmds_csr_init(&csr, memory);
+  expect(gmds_complex_relation(&volume.complex, 0, 3, 0, &csr, nullptr) == GMDS_OK && csr.begin[4] == 4,
+         "four nodes are on the tetrahedron");
+  expect(gmds_check_entries(&stored, memory, nullptr) == GMDS_OK, "nothing stored, nothing wrong");
+  gmds_csr_clear(&csr);
+  gmds_volume_clear(&volume);
+  gmds_soup_clear(&soup);
+  gmds_complex_init(&complex, memory, 0);
+  gmds_complex_clear(&complex);
+}
+
+#define COUNT_NAMED(name, mask, when) +1
 static void models()
 {
   unsigned mask = 0;
@@ -70,6 +98,7 @@ static void models()
   expect(mask == (GMDS_N | GMDS_F | GMDS_RELATION_BIT(2, 0) | GMDS_RELATION_BIT(2, 2)), "and is what was written");
   expect(gmds_path_of(mask, 2, 0).cost == GMDS_COST_DIRECT, "F2N answers 2->0");
   expect(gmds_census_size(2) == 128, "the census of the plane has 128 masks");
+  expect(0 GMDS_NAMED_LIST(COUNT_NAMED) == 10, "ten models of volumes have names");
 }
 
 int main()
@@ -82,6 +111,7 @@ int main()
   lists(&memory);
   geometry(&memory);
   soups(&memory);
+  volumes(&memory);
   models();
   gmds_delaunay_result_init(&result, nullptr);
   gmds_delaunay_result_clear(&result);

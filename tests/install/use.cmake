@@ -93,6 +93,21 @@ elseif(MODE STREQUAL "headers") # each header by itself
     endif()
   endforeach()
 
+  file(GLOB named RELATIVE ${PREFIX}/include ${PREFIX}/include/gmds/named/*.h)
+  list(LENGTH named n)
+  if(n LESS 10)
+    message(FATAL_ERROR "only ${n} named models are installed")
+  endif()
+  foreach(header ${named}) # each named model opens, on tetrahedra, on its usual cells, and twice in one file
+    file(WRITE ${SCRATCH}/named.c
+      "#define GMDS_PREFIX one\n#define GMDS_REGIONS TETRAHEDRON\n#include <${header}>\n#include <gmds/end.h>\n"
+      "#define GMDS_PREFIX other\n#include <${header}>\n#include <gmds/end.h>\n"
+      "one_mesh a;\nother_mesh b;\n")
+    foreach(compiler ${COMPILERS})
+      must(${compiler} -std=c11 ${strict} "-I${PREFIX}/include" -c ${SCRATCH}/named.c -o ${SCRATCH}/alone.o)
+    endforeach()
+  endforeach()
+
 elseif(MODE STREQUAL "cpp") # all headers in one C++ program
   public_headers(headers)
   list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n")
