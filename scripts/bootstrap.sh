@@ -1,7 +1,7 @@
 # Sourced by run.sh and test.sh: installs what is missing, so that both work on a fresh Debian or Ubuntu.
 #     bootstrap run         what is built: a C compiler, cmake, make; Expat and zlib, which reading VTU needs; and a C++
 #                           compiler with CGAL, the oracle
-#     bootstrap tests       and what the tests need: Check, pkg-config, xz
+#     bootstrap tests       and what the tests need: Check, pkg-config, xz; TetGen, a second oracle, where there is a package
 # Elsewhere it says what is needed, and ends the script if there is no compiler or no cmake.
 # shellcheck shell=bash
 
@@ -52,6 +52,13 @@ missing_packages() {
   done
 }
 
+# Those that are installed where the distribution has them.
+optional_packages() {
+  if [ "$1" = tests ] && ! has_package libtet1.5-dev; then
+    echo libtet1.5-dev
+  fi
+}
+
 apt_get() {
   if [ "$(id -u)" = 0 ]; then
     DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 "$@" >/dev/null
@@ -61,9 +68,10 @@ apt_get() {
 }
 
 bootstrap() {
-  local missing
+  local missing optional package
   if has apt-get && has dpkg-query; then
     mapfile -t missing < <(missing_packages "$@")
+    mapfile -t optional < <(optional_packages "$@")
     if [ ${#missing[@]} -gt 0 ]; then
       if [ "$(id -u)" != 0 ] && ! has sudo; then
         say "please install as root: ${missing[*]}"
@@ -73,6 +81,14 @@ bootstrap() {
         apt_get -y --no-install-recommends install "${missing[@]}" || say "not everything could be installed"
       fi
     fi
+    for package in ${optional[@]+"${optional[@]}"}; do
+      if apt-cache show "$package" >/dev/null 2>&1 && { [ "$(id -u)" = 0 ] || has sudo; }; then
+        say "installing $package"
+        apt_get -y --no-install-recommends install "$package" || say "$package could not be installed: its tests are skipped"
+      else
+        say "there is no package $package here: its tests are skipped"
+      fi
+    done
   else
     say "no apt-get here, so please install a C compiler, cmake 3.25 or later, make or ninja, Expat and zlib for" \
       "reading VTU, and, for all tests, pkg-config, Check, xz and a C++ compiler with GMP, MPFR and CGAL"
