@@ -248,6 +248,35 @@ static gmds_status name_cells(gmds_complex *c)
   return GMDS_OK;
 }
 
+/* Whether the faces of every polyhedron close: each of its edges is on two of them, and none is there twice. */
+static gmds_status check_closed(const gmds_complex *c, gmds_error *error)
+{
+  gmds_ids list = {.memory = c->memory};
+  gmds_status status = GMDS_OK;
+  for (size_t r = 0; c->walls.begin && r < c->nodes[3].n && status == GMDS_OK; r++) {
+    const size_t first = c->nodes[1].n + c->nodes[2].n + c->first_wall[r], n = walls_of(c, r);
+    if (!n || gmds_shape_of((gmds_cell_type)c->types[r]))
+      continue;
+    const size_t begin = c->rows.begin[first], entries = c->rows.begin[first + n] - begin;
+    size_t kept[3]; /* faces, edges of two faces or more, of three or more */
+    for (size_t k = 0; k < 3 && status == GMDS_OK; k++) {
+      const size_t m = k ? entries : n;
+      list.n = 0;
+      status = gmds_ids_reserve(&list, m);
+      if (status != GMDS_OK)
+        break;
+      memcpy(list.data, k ? c->sides.edges + begin : c->group + first - c->nodes[1].n, m * sizeof *list.data);
+      list.n = m;
+      gmds_ids_keep(&list, 0, k + 1, GMDS_NONE);
+      kept[k] = list.n;
+    }
+    if (status == GMDS_OK && (n < 4 || kept[0] != n || 2 * kept[1] != entries || kept[2]))
+      status = gmds_fail(error, GMDS_ERR_ARGUMENT, "the faces of region %zu, a polyhedron, do not close", r);
+  }
+  gmds_ids_clear(&list);
+  return status;
+}
+
 gmds_status gmds_complex_join(gmds_complex *c, gmds_error *error)
 {
   GMDS_TRY(check_nodes(c, error));
@@ -260,6 +289,12 @@ gmds_status gmds_complex_join(gmds_complex *c, gmds_error *error)
     status = group_rows(c);
   if (status == GMDS_OK)
     status = name_cells(c);
+  if (status == GMDS_OK)
+    status = check_closed(c, error);
+  if (status == GMDS_ERR_ARGUMENT) { /* the sentence says which region */
+    gmds_complex_part(c);
+    return status;
+  }
   if (status != GMDS_OK) {
     gmds_complex_part(c);
     gmds_fail(error, status, "joining %zu faces and %zu regions: %s", c->nodes[2].n, c->nodes[3].n,
@@ -343,15 +378,32 @@ static gmds_status make_faces(gmds_complex *c, size_t n_edges)
   return GMDS_OK;
 }
 
+/* Takes rows at the end away again. */
+static void shorten(gmds_csr *csr, size_t n)
+{
+  void *begin = csr->begin, *data = csr->data;
+  if (n == csr->n)
+    return;
+  const size_t used = csr->begin[n];
+  (void)gmds_resize(csr->memory, &begin, csr->n + 1, n + 1, sizeof *csr->begin);
+  (void)gmds_resize(csr->memory, &data, csr->capacity, used, sizeof *csr->data);
+  csr->begin = begin;
+  csr->data = data;
+  csr->capacity = used;
+  csr->n = n;
+}
+
 gmds_status gmds_complex_make(gmds_complex *c, int edges, int faces, gmds_error *error)
 {
   const size_t had[2] = {c->nodes[1].n, c->nodes[2].n};
   gmds_status status = edges ? make_edges(c) : GMDS_OK;
   if (status == GMDS_OK && faces)
     status = make_faces(c, had[0]);
-  if (status != GMDS_OK)
+  if (status != GMDS_OK) {
+    shorten(&c->nodes[1], had[0]);
     return gmds_fail(error, status, "making the edges and faces of %zu regions: %s", c->nodes[3].n,
                      gmds_status_text(status));
+  }
   if (c->nodes[1].n == had[0] && c->nodes[2].n == had[1])
     return GMDS_OK;
   const size_t now[2] = {c->nodes[1].n, c->nodes[2].n};
@@ -538,24 +590,31 @@ static gmds_status copy_csr(const gmds_csr *from, gmds_csr *csr)
   return status;
 }
 
-/* 0 -> 0: the ends of all edges, of the complex or not. */
-static gmds_status joined_nodes(const gmds_complex *c, gmds_csr *csr)
+gmds_status gmds_complex_joined(const gmds_complex *c, int edges, int faces, gmds_csr *csr)
 {
-  const size_t n = 2 * c->sides.n;
-  GMDS_TRY(gmds_csr_begin(csr, c->n_nodes));
-  for (size_t k = 0; k < n; k++)
-    csr->begin[c->sides.nodes[k] + 1]++;
-  gmds_status status = gmds_csr_finish(csr);
-  if (status != GMDS_OK) {
+  const size_t first = edges ? 0 : c->nodes[1].n, middle = c->nodes[1].n,
+               last = faces ? middle : middle + c->nodes[2].n;
+  gmds_bits by; /* which edges join */
+  GMDS_TRY(gmds_bits_init(&by, c->memory, c->sides.n));
+  for (size_t q = c->rows.begin[first]; q < c->rows.begin[c->rows.n]; q++)
+    if (q < c->rows.begin[middle] || q >= c->rows.begin[last])
+      gmds_bits_set(&by, c->sides.edges[q]);
+  gmds_status status = gmds_csr_begin(csr, c->n_nodes);
+  for (size_t k = 0; k < 2 * c->sides.n && status == GMDS_OK; k++)
+    csr->begin[c->sides.nodes[k] + 1] += (size_t)gmds_bits_get(&by, k / 2);
+  if (status == GMDS_OK)
+    status = gmds_csr_finish(csr);
+  if (status == GMDS_OK) {
+    for (size_t k = 0; k < 2 * c->sides.n; k++) /* each row's beginning moves to its end, and back */
+      if (gmds_bits_get(&by, k / 2))
+        csr->data[csr->begin[c->sides.nodes[k]]++] = c->sides.nodes[k ^ 1];
+    for (size_t v = c->n_nodes; v-- > 0;)
+      csr->begin[v + 1] = csr->begin[v];
+    csr->begin[0] = 0;
+  } else
     gmds_csr_clear(csr);
-    return status;
-  }
-  for (size_t k = 0; k < n; k++) /* each row's beginning moves to its end, and back */
-    csr->data[csr->begin[c->sides.nodes[k]]++] = c->sides.nodes[k ^ 1];
-  for (size_t v = c->n_nodes; v-- > 0;)
-    csr->begin[v + 1] = csr->begin[v];
-  csr->begin[0] = 0;
-  return GMDS_OK;
+  gmds_bits_clear(&by);
+  return status;
 }
 
 /* Which cells each node, number of an edge or group of a face has: the inverse of rows that lie in `data`. */
@@ -596,7 +655,7 @@ gmds_status gmds_complex_relation(const gmds_complex *c, int i, int j, int align
     status = gmds_invert_csr(&down, i ? c->nodes[i].n : c->n_nodes, csr);
     gmds_csr_clear(&down);
   } else if (i == 0)
-    status = joined_nodes(c, csr);
+    status = gmds_complex_joined(c, 1, 1, csr);
   else if (j == 0)
     status = copy_csr(&c->nodes[i], csr);
   else if (i != j)

@@ -54,32 +54,49 @@ static gmds_id above(const gmds_shape *s, const size_t *faces, const gmds_id *co
   return GMDS_NONE;
 }
 
-/* Whether one of the faces has the nodes of local face k. */
+/* Whether one of the faces is local face k: the same nodes around it, from any of them on and either way. */
 static int is_there(const gmds_shape *s, size_t k, const size_t *faces, const gmds_id *corners, const gmds_id *nodes)
 {
   for (size_t f = 0; f < s->faces; f++) {
-    size_t n = faces[f + 1] - faces[f], common = 0;
-    for (size_t i = 0; i < s->sides[k]; i++)
-      common += (size_t)has(corners + faces[f], n, nodes[s->face[k][i]]);
-    if (n == s->sides[k] && common == n)
+    const gmds_id *row = corners + faces[f];
+    const size_t n = faces[f + 1] - faces[f];
+    size_t at = 0, forwards = 0, backwards = 0;
+    while (at < n && row[at] != nodes[s->face[k][0]])
+      at++;
+    for (size_t i = 0; i < n && n == s->sides[k] && at < n; i++) {
+      forwards += row[(at + i) % n] == nodes[s->face[k][i]];
+      backwards += row[(at + n - i) % n] == nodes[s->face[k][i]];
+    }
+    if (n == s->sides[k] && (forwards == n || backwards == n))
       return 1;
   }
   return 0;
 }
 
+/* Whether there are as many triangles and quadrilaterals among the faces as in the shape, and nothing else. */
+static int has_sides(const gmds_shape *s, const size_t *faces)
+{
+  int triangles = 0;
+  for (size_t f = 0; f < s->faces; f++) {
+    const size_t n = faces[f + 1] - faces[f];
+    if (n != 3 && n != 4)
+      return 0;
+    triangles += (n == 3) - (s->sides[f] == 3);
+  }
+  return triangles == 0;
+}
+
 gmds_status gmds_shape_from_faces(gmds_cell_type type, const size_t *faces, const gmds_id *corners, gmds_id *nodes)
 {
   const gmds_shape *s = gmds_shape_of(type);
-  if (!s)
+  if (!s || !has_sides(s, faces))
     return GMDS_ERR_INVARIANT;
   const uint8_t base = base_of[type - GMDS_TETRAHEDRON];
   const size_t n = s->sides[base];
   gmds_id found[GMDS_SHAPE_NODES];
   size_t first = 0;
-  while (first < s->faces && faces[first + 1] - faces[first] != n)
+  while (faces[first + 1] - faces[first] != n)
     first++;
-  if (first == s->faces)
-    return GMDS_ERR_INVARIANT;
   for (size_t i = 0; i < n; i++)
     found[s->face[base][i]] = corners[faces[first] + i];
   for (size_t i = n; i < s->nodes; i++)

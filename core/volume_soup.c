@@ -33,31 +33,57 @@ static gmds_status take_points(taking *t)
   return GMDS_OK;
 }
 
-static gmds_status check_distinct(const gmds_soup *soup, gmds_ids *list, gmds_error *error)
+/* Whether n points are points of the soup, none twice. */
+static gmds_status check_points(const gmds_soup *soup, size_t c, size_t n, const gmds_id *points, gmds_ids *list,
+                                gmds_error *error)
+{
+  const char *text = gmds_cell_type_text((gmds_cell_type)soup->types[c]);
+  list->n = 0;
+  GMDS_TRY(gmds_ids_reserve(list, n));
+  for (size_t k = 0; k < n; k++) {
+    if (points[k] >= soup->n_points)
+      return gmds_fail(error, GMDS_ERR_CELL, "cell %zu (%s) has point %lu, which does not exist", c, text,
+                       (unsigned long)points[k]);
+    list->data[list->n++] = points[k];
+  }
+  gmds_ids_keep(list, 0, 2, GMDS_NONE);
+  return list->n ? gmds_fail(error, GMDS_ERR_ARGUMENT, "cell %zu (%s) has point %lu twice", c, text,
+                             (unsigned long)list->data[0])
+                 : GMDS_OK;
+}
+
+static gmds_status check_polyhedron(const gmds_soup *soup, size_t c, gmds_ids *list, gmds_error *error)
+{
+  const gmds_id *at = soup->corners + soup->begin[c], *end = soup->corners + soup->begin[c + 1];
+  size_t faces = at < end ? *at++ : 0;
+  int adds_up = faces > 3;
+  for (; faces > 0 && adds_up; faces--) {
+    const size_t n = at < end ? *at++ : 0;
+    adds_up = n > 2 && n <= (size_t)(end - at);
+    if (adds_up) {
+      GMDS_TRY(check_points(soup, c, n, at, list, error));
+      at += n;
+    }
+  }
+  return adds_up && at == end
+             ? GMDS_OK
+             : gmds_fail(error, GMDS_ERR_ARGUMENT, "cell %zu (polyhedron): the counts of its faces do not add up", c);
+}
+
+/* The soup may have been filled by other means than gmds_soup_add_cell. */
+static gmds_status check_cells(const gmds_soup *soup, gmds_ids *list, gmds_error *error)
 {
   for (size_t c = 0; c < soup->n_cells; c++) {
-    if (soup->types[c] == GMDS_POLYHEDRON) {
-      const gmds_id *at = soup->corners + soup->begin[c];
-      for (gmds_id faces = *at++; faces > 0; faces--) {
-        const size_t n = *at++;
-        for (size_t i = 0; i < n; i++)
-          for (size_t k = 0; k < i; k++)
-            if (at[i] == at[k])
-              return gmds_fail(error, GMDS_ERR_ARGUMENT, "cell %zu (polyhedron): a face has point %lu twice", c,
-                               (unsigned long)at[i]);
-        at += n;
-      }
-      continue;
-    }
-    const size_t n = soup->begin[c + 1] - soup->begin[c];
-    list->n = 0;
-    GMDS_TRY(gmds_ids_reserve(list, n));
-    memcpy(list->data, soup->corners + soup->begin[c], n * sizeof *list->data);
-    list->n = n;
-    gmds_ids_keep(list, 0, 2, GMDS_NONE);
-    if (list->n)
-      return gmds_fail(error, GMDS_ERR_ARGUMENT, "cell %zu (%s) has point %lu twice", c,
-                       gmds_cell_type_text((gmds_cell_type)soup->types[c]), (unsigned long)list->data[0]);
+    const gmds_cell_type type = (gmds_cell_type)soup->types[c];
+    const size_t n = soup->begin[c + 1] - soup->begin[c], points = (size_t)gmds_cell_type_points(type);
+    if (soup->types[c] >= GMDS_CELL_TYPE_COUNT)
+      return gmds_fail(error, GMDS_ERR_ARGUMENT, "cell %zu has the type %u, which is none", c, soup->types[c]);
+    if (type != GMDS_POLYHEDRON && (type == GMDS_POLYGON ? n < 3 : n != points))
+      return gmds_fail(error, GMDS_ERR_ARGUMENT, "cell %zu (%s) has %zu points", c, gmds_cell_type_text(type), n);
+    if (type == GMDS_POLYHEDRON)
+      GMDS_TRY(check_polyhedron(soup, c, list, error));
+    else
+      GMDS_TRY(check_points(soup, c, n, soup->corners + soup->begin[c], list, error));
   }
   return GMDS_OK;
 }
@@ -264,7 +290,7 @@ gmds_status gmds_volume_from_soup(gmds_volume *volume, const gmds_soup *soup, gm
   gmds_ids list = {.memory = volume->memory};
   void *block = NULL;
   gmds_error first = {.status = GMDS_OK};
-  gmds_status status = check_distinct(soup, &list, &first);
+  gmds_status status = check_cells(soup, &list, &first);
   gmds_ids_clear(&list);
   if (status == GMDS_OK && !gmds_resize(volume->memory, &block, 0, soup->n_cells, sizeof(gmds_id)))
     status = GMDS_ERR_MEMORY;

@@ -39,14 +39,15 @@ void gmds_complex_clear(gmds_complex *complex);
 
 /* Finds which edges and faces are the same. After it the lists of nodes must not change.
  * GMDS_OK; GMDS_ERR_CELL (a face or region has a node that does not exist, or a polyhedron a face), GMDS_ERR_ARGUMENT (a
- * region has not as many nodes as its type), both with a sentence; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY. O(entries). */
+ * region has not as many nodes as its type, or the faces of a polyhedron do not close: an edge is not on two of them, or one
+ * is there twice), both with a sentence; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY. O(entries), times a logarithm in polyhedra. */
 gmds_status gmds_complex_join(gmds_complex *complex, gmds_error *error);
 
 /* Forgets what gmds_complex_join found, so that the lists may change. */
 void gmds_complex_part(gmds_complex *complex);
 
 /* Adds the edges, or the faces, or both, that bound cells of the complex and are none yet, numbered from the end on, and
- * joins again. Status as gmds_complex_join; after a failure the complex can only be cleared. */
+ * joins again. Status as gmds_complex_join; after a failure nothing is added, or the complex is not joined. */
 gmds_status gmds_complex_make(gmds_complex *complex, int edges, int faces, gmds_error *error);
 
 /* The j-cells of every i-cell, for any i and j from 0 to 3: a set for each; 1 -> 0, 2 -> 0, 3 -> 0 as they are listed, and
@@ -55,6 +56,9 @@ gmds_status gmds_complex_make(gmds_complex *complex, int edges, int faces, gmds_
  * 2 this is 4 times the region and the number of the face there (tetrahedra). The csr is initialised and empty. GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_CONFLICT (aligned 3 -> 3, and a face has more than two
  * regions: one of them is *where). O(entries and answer). */
 gmds_status gmds_complex_relation(const gmds_complex *complex, int i, int j, int aligned, gmds_csr *csr, size_t *where);
+
+/* 0 -> 0 by the edges of regions alone, and of the edges of the complex, or its faces, or both. Statuses as above. */
+gmds_status gmds_complex_joined(const gmds_complex *complex, int edges, int faces, gmds_csr *csr);
 
 /* A csr of n rows of lengths that are known: begin[r + 1] = length of row r on entry, begin[0] = 0; then `data` has room for
  * their sum. GMDS_OK or GMDS_ERR_MEMORY (it stays as it is). */

@@ -34,7 +34,9 @@ gmds_status gmds_cells_copy(const gmds_cells *from, gmds_cells *to);
 /* Fills a volume that holds nothing with the points and cells of a soup: vertices, segments, faces and regions, each once
  * (of cells with the same nodes the first counts). Attributes of points become those of nodes, attributes of cells those of
  * every dimension of which the soup has cells. A soup of two coordinates gets a third, 0.
- * GMDS_OK; GMDS_ERR_ARGUMENT (a cell has a node twice; `error` names it), GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY. O(soup). */
+ * GMDS_OK; GMDS_ERR_ARGUMENT (a cell has a node twice, or not as many as its type; the faces of a polyhedron do not close),
+ * GMDS_ERR_CELL (a point that does not exist), both with a sentence that names it; GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY.
+ * O(soup). */
 gmds_status gmds_volume_from_soup(gmds_volume *volume, const gmds_soup *soup, gmds_error *error);
 
 /* The reverse, into a soup that is initialised for three coordinates and empty: nodes, then the cells of each dimension in

@@ -187,12 +187,13 @@ static inline gmds_status fill_relations(mesh *m, const gmds_complex *c, gmds_er
   size_t where = 0;
   gmds_csr csr;
   gmds_csr_init(&csr, &m->memory);
-#define GMDS__FILL(i, j, aligned, how)                                             \
-  if (status == GMDS_OK) {                                                         \
-    status = gmds_complex_relation(c, i, j, aligned, &csr, &where);                \
-    if (status == GMDS_OK)                                                         \
-      status = how;                                                                \
-    gmds_csr_clear(&csr);                                                          \
+#define GMDS__FILL(i, j, aligned, how)                                                   \
+  if (status == GMDS_OK) {                                                               \
+    status = i + j ? gmds_complex_relation(c, i, j, aligned, &csr, &where)               \
+                   : gmds_complex_joined(c, GMDS__MAKES_EDGES, GMDS__MAKES_FACES, &csr); \
+    if (status == GMDS_OK)                                                               \
+      status = how;                                                                      \
+    gmds_csr_clear(&csr);                                                                \
   }
 #define GMDS__FILL_SET(i, j) GMDS__FILL(i, j, 0, fill_rows(m, &m->r_##i##_##j, m->cells[i].capacity, &csr))
 #define GMDS__FILL_ORDERED(i, j) GMDS__FILL(i, j, 1, fill_rows(m, &m->r_##i##_##j, m->cells[i].capacity, &csr))

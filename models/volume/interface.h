@@ -200,7 +200,8 @@ static inline gmds_status check(const mesh *m, gmds_memory *memory, gmds_error *
 
 /* Fills an empty mesh from a soup (volume.h): points become nodes; edges and faces that the soup lists come first, in its
  * order, then those of regions that the model keeps; lower cells that the model does not keep are left out. Cells with the
- * same nodes are one. GMDS_OK; GMDS_ERR_ARGUMENT (the mesh is not empty or has attributes, or a cell has a node twice);
+ * same nodes are one. GMDS_OK; GMDS_ERR_ARGUMENT (the mesh is not empty or has attributes, a cell has a node twice, or
+ * the faces of a polyhedron do not close);
  * GMDS_ERR_UNSUPPORTED (a type of cell that the model does not hold); GMDS_ERR_CONFLICT (R2R, and a third region on a face);
  * GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY: the sentence names the cell, the mesh is empty. O(soup). */
 static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *error);
