@@ -91,7 +91,16 @@ static gmds_status compare(int i, int j, size_t c, const gmds_ids *found, const 
   return GMDS_OK;
 }
 
-/* Whether each row of `found` is that of `expected`, entry by entry where positions count. */
+static size_t times(const gmds_id *row, size_t n, gmds_id x)
+{
+  size_t found = 0;
+  for (size_t k = 0; k < n; k++)
+    found += row[k] == x;
+  return found;
+}
+
+/* Whether each row of `found` is that of `expected`, entry by entry where positions count; regions that share several
+ * faces name each other as often. */
 static gmds_status compare_all(const gmds_stored_relations *all, int i, int j, const gmds_csr *expected, int positions,
                                gmds_ids *lists, gmds_error *error)
 {
@@ -103,9 +112,13 @@ static gmds_status compare_all(const gmds_stored_relations *all, int i, int j, c
     GMDS_TRY(compare(i, j, c, &lists[0], &lists[1], error));
     const gmds_id *a = NULL, *b = NULL;
     const size_t n = row(&all->relation[i][j], c, &a);
-    for (size_t k = 0; positions && n == row(expected, c, &b) && k < n; k++)
+    const size_t m = row(expected, c, &b);
+    for (size_t k = 0; positions && n == m && k < n; k++)
       if (a[k] != b[k])
         return violated(error, i, j, c, "has in the wrong place", a[k]);
+    for (size_t k = 0; i == 3 && j == 3 && k < m; k++)
+      if (times(a, n, b[k]) != times(b, m, b[k]) && b[k] != GMDS_NONE)
+        return violated(error, i, j, c, "shares another number of faces with", b[k]);
   }
   return GMDS_OK;
 }
@@ -114,7 +127,7 @@ static gmds_status check_relation(const gmds_stored_relations *all, const gmds_c
                                   gmds_ids *lists, gmds_error *error)
 {
   const int local = (i == 3 && (j == 1 || j == 2) && all->local) || (i == 2 && j == 1 && all->sides),
-            beyond = i == 3 && j == 3 && all->aligned;
+            beyond = i == 3 && j == 3;
   gmds_csr expected;
   size_t where = 0;
   gmds_csr_init(&expected, complex->memory);
@@ -122,7 +135,7 @@ static gmds_status check_relation(const gmds_stored_relations *all, const gmds_c
   if (status == GMDS_ERR_CONFLICT)
     return gmds_fail(error, GMDS_ERR_INVARIANT, "R2R: region %zu has a face that two others have too", where);
   if (status == GMDS_OK)
-    status = compare_all(all, i, j, &expected, local || beyond, lists, error);
+    status = compare_all(all, i, j, &expected, local || (beyond && all->aligned), lists, error);
   gmds_csr_clear(&expected);
   return status;
 }
@@ -155,8 +168,11 @@ gmds_status gmds_check_complex(const gmds_stored_relations *all, gmds_complex *c
 {
   gmds_ids lists[2] = {{.memory = complex->memory}, {.memory = complex->memory}};
   gmds_status status = gmds_complex_join(complex, error);
-  if (status == GMDS_ERR_CELL || status == GMDS_ERR_ARGUMENT)
+  if (status == GMDS_ERR_CELL || status == GMDS_ERR_ARGUMENT) {
     status = GMDS_ERR_INVARIANT; /* the sentence says which cell */
+    if (error)
+      error->status = status;
+  }
   if (status == GMDS_OK && all->keeps_edges)
     status = check_told(all, complex, 1, error);
   if (status == GMDS_OK && all->keeps_faces)
@@ -172,6 +188,21 @@ gmds_status gmds_check_complex(const gmds_stored_relations *all, gmds_complex *c
 
 /* ---- against each other */
 
+/* Regions name each other as often. */
+static gmds_status check_neighbours(const gmds_csr *csr, gmds_error *error)
+{
+  for (size_t r = 0; r < csr->n; r++) {
+    const gmds_id *own = NULL, *back = NULL;
+    const size_t n = row(csr, r, &own);
+    for (size_t k = 0; k < n; k++) {
+      const size_t m = own[k] == GMDS_NONE ? 0 : row(csr, own[k], &back);
+      if (own[k] != GMDS_NONE && times(back, m, (gmds_id)r) != times(own, n, own[k]))
+        return violated(error, 3, 3, r, "is not named as often as it names", own[k]);
+    }
+  }
+  return GMDS_OK;
+}
+
 gmds_status gmds_check_inverses(const gmds_stored_relations *all, gmds_memory *memory, gmds_error *error)
 {
   gmds_ids lists[2] = {{.memory = memory}, {.memory = memory}};
@@ -179,8 +210,12 @@ gmds_status gmds_check_inverses(const gmds_stored_relations *all, gmds_memory *m
   for (int i = 0; i < 4; i++)
     for (int j = i; j < 4 && status == GMDS_OK; j++) {
       gmds_csr inverse;
-      if (!stored(all, i, j) || !stored(all, j, i) || (i == 3 && j == 3))
+      if (!stored(all, i, j) || !stored(all, j, i))
         continue;
+      if (i == 3) {
+        status = check_neighbours(&all->relation[3][3], error);
+        continue;
+      }
       gmds_csr_init(&inverse, memory);
       status = gmds_invert_csr(&all->relation[j][i], all->end[i], &inverse);
       if (status == GMDS_OK)

@@ -1,6 +1,7 @@
 /* Operations on a mesh and the reference, and their comparison. */
 #include "volumes/subject.h"
 #include <gmds/relations.h>
+#include <limits.h>
 #include <stdarg.h>
 
 void subject_begin(subject *s, const volume_model *m, uint64_t seed)
@@ -11,7 +12,9 @@ void subject_begin(subject *s, const volume_model *m, uint64_t seed)
   s->mesh = malloc(m->bytes);
   s->ref.makes_edges = m->makes_edges;
   s->ref.makes_faces = m->makes_faces;
-  m->do_init(s->mesh, NULL);
+  s->from.until = LONG_MAX;
+  const gmds_allocator allocator = failing_allocator(&s->from);
+  m->do_init(s->mesh, &allocator);
   gmds_memory_init(&s->memory, NULL);
   gmds_ids_init(&s->list, &s->memory);
 }
@@ -20,6 +23,7 @@ void subject_end(subject *s)
 {
   s->m->do_clear(s->mesh);
   ck_assert_uint_eq(s->m->do_memory(s->mesh)->live, 0);
+  ck_assert_uint_eq(s->from.live, 0);
   gmds_ids_clear(&s->list);
   free(s->mesh);
 }
@@ -33,6 +37,67 @@ void subject_fail(const subject *s, const char *format, ...)
   va_end(list);
   ck_abort_msg("%s: %s", s->m->name, text);
   abort();
+}
+
+/* ---- operations without memory */
+
+static void mix_in(uint64_t *sum, uint64_t x)
+{
+  uint64_t state = *sum ^ x;
+  *sum = random_bits(&state);
+}
+
+uint64_t subject_fingerprint(subject *s)
+{
+  const gmds_cells *cells = s->m->do_cells(s->mesh);
+  uint64_t sum = 0;
+  for (int i = 0; i < 4; i++) {
+    mix_in(&sum, cells[i].count);
+    mix_in(&sum, cells[i].end);
+    for (gmds_id c = gmds_cells_next(&cells[i], 0); c != GMDS_NONE; c = gmds_cells_next(&cells[i], c + 1)) {
+      mix_in(&sum, c);
+      for (const gmds_attribute *a = cells[i].attributes; a; a = a->next)
+        for (size_t k = 0; k < a->bytes; k++)
+          mix_in(&sum, ((const unsigned char *)a->data)[c * a->bytes + k]);
+      if (i == 3)
+        mix_in(&sum, (uint64_t)s->m->do_type(s->mesh, c));
+      for (int k = 0; i == 0 && k < 3; k++) {
+        uint64_t bits = 0;
+        memcpy(&bits, s->m->do_point(s->mesh, c) + k, sizeof bits);
+        mix_in(&sum, bits);
+      }
+      for (int j = 0; j < 4; j++) {
+        size_t n = 0;
+        const gmds_id *row = subject_stores(s, i, j) ? s->m->do_view(s->mesh, i, j, c, &n) : NULL;
+        mix_in(&sum, n);
+        for (size_t k = 0; k < n; k++)
+          mix_in(&sum, row[k]);
+      }
+    }
+  }
+  return sum;
+}
+
+void subject_attempt(subject *s)
+{
+  s->attempt = 0;
+  if (!s->inject)
+    return;
+  s->before = subject_fingerprint(s);
+  s->from.until = 0;
+}
+
+int subject_again(subject *s, gmds_status status)
+{
+  s->from.until = LONG_MAX;
+  if (!s->inject || status != GMDS_ERR_MEMORY)
+    return 0;
+  if (subject_fingerprint(s) != s->before)
+    subject_fail(s, "an operation that fails at allocation %ld changes the mesh", s->attempt + 1);
+  if (s->m->do_memory(s->mesh)->live != s->from.live)
+    subject_fail(s, "%zu bytes are held, %zu counted", s->from.live, s->m->do_memory(s->mesh)->live);
+  s->from.until = ++s->attempt;
+  return 1;
 }
 
 int subject_allows(const subject *s, gmds_cell_type type)
@@ -67,7 +132,11 @@ void subject_add_node(subject *s)
 {
   const double x[3] = {random_unit(&s->seed), random_unit(&s->seed), random_unit(&s->seed)};
   gmds_id id = 0;
-  gmds_status status = s->m->do_add_node(s->mesh, x, &id);
+  gmds_status status;
+  subject_attempt(s);
+  do
+    status = s->m->do_add_node(s->mesh, x, &id);
+  while (subject_again(s, status));
   expect(s, status, GMDS_OK, id, reference_add_node(&s->ref), "a node");
 }
 
@@ -76,7 +145,11 @@ void subject_add_edge(subject *s, gmds_id a, gmds_id b)
   gmds_id id = 0;
   if (!s->m->do_add_edge)
     return;
-  gmds_status status = s->m->do_add_edge(s->mesh, a, b, &id);
+  gmds_status status;
+  subject_attempt(s);
+  do
+    status = s->m->do_add_edge(s->mesh, a, b, &id);
+  while (subject_again(s, status));
   expect(s, status, GMDS_OK, id, reference_add_edge(&s->ref, a, b), "an edge");
 }
 
@@ -85,7 +158,11 @@ void subject_add_face(subject *s, const cycle *c)
   gmds_id id = 0;
   if (!subject_allows_face(s, c->n))
     return;
-  gmds_status status = s->m->do_add_face(s->mesh, c->n, c->nodes, &id);
+  gmds_status status;
+  subject_attempt(s);
+  do
+    status = s->m->do_add_face(s->mesh, c->n, c->nodes, &id);
+  while (subject_again(s, status));
   expect(s, status, GMDS_OK, id, reference_add_face(&s->ref, c), "a face");
 }
 
@@ -104,7 +181,11 @@ void subject_add_region(subject *s, gmds_cell_type type, const gmds_id *nodes)
   if (!subject_allows(s, type))
     return;
   gmds_status expected = room_for(s, reference_walls(type, nodes, walls), walls);
-  gmds_status status = s->m->do_add_region(s->mesh, type, nodes, &id);
+  gmds_status status;
+  subject_attempt(s);
+  do
+    status = s->m->do_add_region(s->mesh, type, nodes, &id);
+  while (subject_again(s, status));
   expect(s, status, expected, id, expected == GMDS_OK ? reference_add_region(&s->ref, type, nodes) : 0, "a region");
 }
 
@@ -117,7 +198,11 @@ void subject_add_polyhedron(subject *s, size_t n, const cycle *walls)
     subject_add_face(s, &walls[k]);
     faces[k] = reference_face(&s->ref, &walls[k]);
   }
-  gmds_status expected = room_for(s, n, walls), status = s->m->do_add_polyhedron(s->mesh, n, faces, &id);
+  gmds_status expected = room_for(s, n, walls), status;
+  subject_attempt(s);
+  do
+    status = s->m->do_add_polyhedron(s->mesh, n, faces, &id);
+  while (subject_again(s, status));
   expect(s, status, expected, id, expected == GMDS_OK ? reference_add_polyhedron(&s->ref, n, faces) : 0,
          "a polyhedron");
 }
@@ -132,7 +217,11 @@ static int is_unsupported(subject *s, gmds_status status)
 
 void subject_remove_region(subject *s, gmds_id r, gmds_bare bare)
 {
-  gmds_status status = s->m->do_remove_region(s->mesh, r, bare);
+  gmds_status status;
+  subject_attempt(s);
+  do
+    status = s->m->do_remove_region(s->mesh, r, bare);
+  while (subject_again(s, status));
   if (is_unsupported(s, status))
     return;
   expect(s, status, GMDS_OK, 0, 0, "removal of a region");
@@ -152,7 +241,11 @@ static size_t above(const subject *s, int i, gmds_id c)
 
 void subject_remove_face(subject *s, gmds_id f, gmds_around around, gmds_bare bare)
 {
-  gmds_status status = s->m->do_remove_face(s->mesh, f, around, bare);
+  gmds_status status;
+  subject_attempt(s);
+  do
+    status = s->m->do_remove_face(s->mesh, f, around, bare);
+  while (subject_again(s, status));
   if (is_unsupported(s, status))
     return;
   answer regions;
@@ -167,7 +260,11 @@ void subject_remove_face(subject *s, gmds_id f, gmds_around around, gmds_bare ba
 
 void subject_remove_edge(subject *s, gmds_id e, gmds_around around)
 {
-  gmds_status status = s->m->do_remove_edge(s->mesh, e, around);
+  gmds_status status;
+  subject_attempt(s);
+  do
+    status = s->m->do_remove_edge(s->mesh, e, around);
+  while (subject_again(s, status));
   if (is_unsupported(s, status))
     return;
   expect(s, status, around == GMDS_REFUSE && above(s, 1, e) ? GMDS_ERR_CONFLICT : GMDS_OK, 0, 0,
@@ -178,7 +275,11 @@ void subject_remove_edge(subject *s, gmds_id e, gmds_around around)
 
 void subject_remove_node(subject *s, gmds_id v, gmds_around around)
 {
-  gmds_status status = s->m->do_remove_node(s->mesh, v, around);
+  gmds_status status;
+  subject_attempt(s);
+  do
+    status = s->m->do_remove_node(s->mesh, v, around);
+  while (subject_again(s, status));
   if (is_unsupported(s, status))
     return;
   expect(s, status, around == GMDS_REFUSE && above(s, 0, v) ? GMDS_ERR_CONFLICT : GMDS_OK, 0, 0, "removal of a node");
@@ -222,9 +323,24 @@ void subject_compact(subject *s)
 {
   static gmds_id rooms[4][MAX_CELLS];
   gmds_id *maps[4] = {rooms[0], rooms[1], rooms[2], rooms[3]};
-  ck_assert_int_eq(s->m->do_compact(s->mesh, maps), GMDS_OK);
+  gmds_status status;
+  subject_attempt(s);
+  do
+    status = s->m->do_compact(s->mesh, maps);
+  while (subject_again(s, status));
+  ck_assert_int_eq(status, GMDS_OK);
   renumber(&s->ref, maps);
-  ck_assert_int_eq(s->m->do_trim(s->mesh), GMDS_OK);
+  subject_trim(s);
+}
+
+void subject_trim(subject *s)
+{
+  gmds_status status;
+  subject_attempt(s);
+  do
+    status = s->m->do_trim(s->mesh);
+  while (subject_again(s, status));
+  ck_assert_int_eq(status, GMDS_OK);
 }
 
 /* ---- comparison */

@@ -1,4 +1,10 @@
 /* Fills the table of the open model (volume.h): included by generated files between <gmds/mesh.h> and <gmds/end.h>. */
+#ifndef TEST_DELAUNAY
+#  define TEST_DELAUNAY (GMDS__TETRAHEDRA && GMDS_STARS && GMDS_CAN(3, 0) && GMDS_CAN(3, 3))
+#endif
+#if TEST_DELAUNAY
+#  include <gmds/algorithms/delaunay.h>
+#endif
 
 static void GMDS_FN(do_init)(void *m, const gmds_allocator *allocator)
 {
@@ -18,6 +24,11 @@ static gmds_cells *GMDS_FN(do_cells)(void *m)
 static gmds_memory *GMDS_FN(do_memory)(void *m)
 {
   return mesh_memory(m);
+}
+
+static const double *GMDS_FN(do_point)(const void *m, gmds_id v)
+{
+  return point(m, v);
 }
 
 static gmds_cell_type GMDS_FN(do_type)(const void *m, gmds_id r)
@@ -77,6 +88,31 @@ static const gmds_id *GMDS_FN(do_view)(const void *m, int i, int j, gmds_id c, s
   return NULL;
 }
 #undef TEST_PAIRS
+
+static stored_relation GMDS_FN(do_stored)(void *m, int i, int j)
+{
+  mesh *own = m;
+  stored_relation s = {NULL, NULL, NULL, 0, GMDS__CODED && i == 3 && j == 3};
+  (void)own;
+#define TEST_ROWS(a, b) \
+  if (i == a && j == b) \
+    s.rows = &own->r_##a##_##b;
+#define TEST_PAIR(a, b) \
+  if (i == a && j == b) \
+    s.pairs = &own->r_##a##_##b;
+#define TEST_COLUMN(a, b)           \
+  if (i == a && j == b) {           \
+    s.column = &own->r_##a##_##b;   \
+    s.arity = GMDS__ARITY_##a##_##b; \
+  }
+  GMDS__EACH_POOLED(TEST_ROWS)
+  GMDS__EACH_PAIRS(TEST_PAIR)
+  GMDS__EACH_INLINE(TEST_COLUMN)
+#undef TEST_ROWS
+#undef TEST_PAIR
+#undef TEST_COLUMN
+  return s;
+}
 
 static gmds_status GMDS_FN(do_add_node)(void *m, const double *x, gmds_id *id)
 {
@@ -155,10 +191,28 @@ static gmds_status GMDS_FN(do_set_volume)(void *m, gmds_volume *volume, gmds_err
   return set_volume(m, volume, error);
 }
 
+static gmds_status GMDS_FN(do_from_soup)(void *m, const gmds_soup *soup, gmds_error *error)
+{
+  return from_soup(m, soup, error);
+}
+
 #if GMDS_LISTS_CELLS
 static gmds_status GMDS_FN(do_get_volume)(const void *m, gmds_volume *volume, gmds_error *error)
 {
   return get_volume(m, volume, error);
+}
+
+static gmds_status GMDS_FN(do_to_soup)(const void *m, gmds_soup *soup, gmds_error *error)
+{
+  return to_soup(m, soup, error);
+}
+#endif
+
+#if TEST_DELAUNAY
+static gmds_status GMDS_FN(do_delaunay)(void *m, size_t n, const double *xyz, const gmds_delaunay_options *options,
+                                        gmds_delaunay_result *result)
+{
+  return GMDS_FN(delaunay)(m, n, xyz, options, result);
 }
 #endif
 
@@ -192,10 +246,12 @@ const volume_model GMDS_FN(table) = {
     .do_clear = GMDS_FN(do_clear),
     .do_cells = GMDS_FN(do_cells),
     .do_memory = GMDS_FN(do_memory),
+    .do_point = GMDS_FN(do_point),
     .do_type = GMDS_FN(do_type),
     .do_query = GMDS_FN(do_query),
     .do_bulk = GMDS_FN(do_bulk),
     .do_view = GMDS_FN(do_view),
+    .do_stored = GMDS_FN(do_stored),
     .do_add_node = GMDS_FN(do_add_node),
 #if GMDS__LINKED_0_1
     .do_add_edge = GMDS_FN(do_add_edge),
@@ -221,10 +277,16 @@ const volume_model GMDS_FN(table) = {
     .do_compact = GMDS_FN(do_compact),
     .do_check = GMDS_FN(do_check),
     .do_set_volume = GMDS_FN(do_set_volume),
+    .do_from_soup = GMDS_FN(do_from_soup),
 #if GMDS_LISTS_CELLS
     .do_get_volume = GMDS_FN(do_get_volume),
+    .do_to_soup = GMDS_FN(do_to_soup),
+#endif
+#if TEST_DELAUNAY
+    .do_delaunay = GMDS_FN(do_delaunay),
 #endif
 #if GMDS_CAN(3, 0)
     .do_checksum = GMDS_FN(do_checksum),
 #endif
 };
+#undef TEST_DELAUNAY

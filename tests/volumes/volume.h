@@ -4,10 +4,21 @@
 #define GMDS_TESTS_VOLUME_H
 
 #include <gmds/cells.h>
+#include <gmds/delaunay.h>
 #include <gmds/hops.h>
+#include <gmds/pairs.h>
 #include <gmds/soup.h>
 #include <gmds/topology.h>
 #include <gmds/volume.h>
+
+/* How the entries of one stored relation lie in memory. */
+typedef struct stored_relation {
+  gmds_rows *rows;     /* in pooled rows, or */
+  gmds_pairs *pairs;   /* two inline as a rule, or */
+  gmds_column *column; /* inline, `arity` entries a cell */
+  size_t arity;
+  int coded; /* entries are 4 * region + face */
+} stored_relation;
 
 typedef struct volume_model {
   const char *name;
@@ -22,10 +33,12 @@ typedef struct volume_model {
   void (*do_clear)(void *m);
   gmds_cells *(*do_cells)(void *m); /* four of them */
   gmds_memory *(*do_memory)(void *m);
+  const double *(*do_point)(const void *m, gmds_id v);
   gmds_cell_type (*do_type)(const void *m, gmds_id r);
   gmds_status (*do_query)(const void *m, int i, int j, gmds_id c, gmds_ids *out);
   gmds_status (*do_bulk)(const void *m, int i, int j, gmds_csr *csr);
   const gmds_id *(*do_view)(const void *m, int i, int j, gmds_id c, size_t *n); /* NULL where it is not stored */
+  stored_relation (*do_stored)(void *m, int i, int j);
   gmds_status (*do_add_node)(void *m, const double *x, gmds_id *id);
   gmds_status (*do_add_edge)(void *m, gmds_id a, gmds_id b, gmds_id *id); /* NULL where edges know no nodes */
   gmds_status (*do_add_face)(void *m, size_t n, const gmds_id *nodes, gmds_id *id); /* NULL where none are made */
@@ -40,6 +53,10 @@ typedef struct volume_model {
   gmds_status (*do_check)(const void *m, gmds_memory *memory, gmds_error *error);
   gmds_status (*do_get_volume)(const void *m, gmds_volume *volume, gmds_error *error); /* NULL where nodes are not told */
   gmds_status (*do_set_volume)(void *m, gmds_volume *volume, gmds_error *error);
+  gmds_status (*do_to_soup)(const void *m, gmds_soup *soup, gmds_error *error); /* NULL as do_get_volume */
+  gmds_status (*do_from_soup)(void *m, const gmds_soup *soup, gmds_error *error);
+  gmds_status (*do_delaunay)(void *m, size_t n, const double *xyz, const gmds_delaunay_options *options,
+                             gmds_delaunay_result *result); /* NULL where there are more than tetrahedra, or no star */
   gmds_status (*do_checksum)(const void *m, gmds_memory *memory, uint64_t *sum);
 } volume_model;
 
