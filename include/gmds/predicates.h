@@ -6,7 +6,8 @@
  * A call ends at the first stage that is certain of the sign. The floating-point filters are inline, here, and decide
  * all but degenerate and nearly degenerate calls for a dozen (orient2d), three dozen (incircle, orient3d) or ninety
  * (insphere) flops and one comparison. What they leave undecided goes to gmds_<predicate>_exact, compiled once in the
- * library: plain arithmetic where it is exact (lattices), expansions, and integers of up to 10502 bits.
+ * library: plain arithmetic where it is exact (lattices), expansions or integers of a few words, and integers of up to
+ * 10502 bits.
  *
  * The filters stay valid where a compiler contracts a product and a sum into one operation, which only removes
  * roundings that the bounds allow for. They need rounding to nearest and no reassociation.
