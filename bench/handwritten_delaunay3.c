@@ -260,25 +260,28 @@ static int take_ids(triangulation *t, size_t n_sides, size_t n)
   return 1;
 }
 
-/* The place of a directed edge in the hash table: of itself, or an empty one. */
-static size_t edge_slot(const triangulation *t, gmds_id from, gmds_id to)
+/* The place of a directed edge in a hash table of mask + 1 entries: of itself, or an empty one. */
+static size_t edge_slot(const gmds_id *table, size_t mask, gmds_id from, gmds_id to)
 {
-  size_t h = (size_t)(((uint64_t)from << 32 | to) * 0x9e3779b97f4a7c15u >> 20) % t->edges;
-  while (t->edge[3 * h + 2] != GMDS_NONE && (t->edge[3 * h] != from || t->edge[3 * h + 1] != to))
-    h = h + 1 < t->edges ? h + 1 : 0;
+  size_t h = (size_t)(((uint64_t)from << 32 | to) * 0x9e3779b97f4a7c15u >> 32) & mask;
+  while (table[3 * h + 2] != GMDS_NONE && (table[3 * h] != from || table[3 * h + 1] != to))
+    h = (h + 1) & mask;
   return 3 * h;
 }
 
 /* Links the tetrahedra of the star where their boundary has too many nodes for a table. */
 static int link_by_hash(triangulation *t, size_t n_sides)
 {
-  if (t->edges < 6 * n_sides) {
-    size_t grown = gmds_grown(t->edges, 6 * n_sides);
-    if (!resize_ids(t, &t->edge, 3 * t->edges, 3 * grown))
+  size_t edges = 1;
+  while (edges < 6 * n_sides)
+    edges *= 2;
+  if (t->edges < edges) {
+    if (!resize_ids(t, &t->edge, 3 * t->edges, 3 * edges))
       return 0;
-    t->edges = grown;
+    t->edges = edges;
   }
-  memset(t->edge, 0xff, 3 * t->edges * sizeof *t->edge);
+  gmds_id *const table = t->edge;
+  memset(table, 0xff, 3 * edges * sizeof *table);
   for (int link = 0; link < 2; link++)
     for (size_t i = 0; i < n_sides; i++) {
       const size_t id = t->ids[i];
@@ -286,12 +289,12 @@ static int link_by_hash(triangulation *t, size_t n_sides)
       for (gmds_id k = 0; k < 3; k++) {
         gmds_id from = row[on_face[k][1]], to = row[on_face[k][0]];
         if (link)
-          t->neighbour[4 * id + k] = t->edge[edge_slot(t, to, from) + 2];
+          t->neighbour[4 * id + k] = table[edge_slot(table, edges - 1, to, from) + 2];
         else {
-          size_t slot = edge_slot(t, from, to);
-          t->edge[slot] = from;
-          t->edge[slot + 1] = to;
-          t->edge[slot + 2] = 4 * t->ids[i] + k;
+          size_t slot = edge_slot(table, edges - 1, from, to);
+          table[slot] = from;
+          table[slot + 1] = to;
+          table[slot + 2] = 4 * t->ids[i] + k;
         }
       }
     }
