@@ -155,6 +155,12 @@ int gmds_insphere_exact(const double a[3], const double b[3], const double c[3],
   return sign;
 }
 
+/* Whether a comes before b in lexicographic order, without a branch: which of two points of a lattice does is a toss. */
+static int before(const double a[3], const double b[3])
+{
+  return (a[0] < b[0]) | ((a[0] == b[0]) & ((a[1] < b[1]) | ((a[1] == b[1]) & (a[2] < b[2]))));
+}
+
 /* As gmds_incircle_perturbed_exact: the largest point decides, outside when it is e, else by the orientation of the
  * tetrahedron with e in its place; where that is 0 the next largest. Of distinct points of a sphere the first or the
  * second decides: both 0 would put e on a line with two of the others. */
@@ -164,23 +170,20 @@ int gmds_insphere_perturbed_exact(const double a[3], const double b[3], const do
   int sign = gmds_insphere_exact(a, b, c, d, e);
   if (sign)
     return sign;
-  const double *points[] = {a, b, c, d, e};
+  /* e first, to be found before a point that is equal to it. */
+  const double *const points[] = {e, a, b, c, d};
   int place[] = {0, 1, 2, 3, 4};
   for (int last = 4; last > 0; last--) {
-    int largest = last;
-    for (int i = 0; i < last; i++) {
-      int compare = gmds_compare_points(3, points[place[i]], points[place[largest]]);
-      if (compare > 0 || (compare == 0 && place[i] == 4))
-        largest = i;
-    }
+    int largest = 0;
+    for (int i = 1; i <= last; i++)
+      largest = before(points[place[largest]], points[place[i]]) ? i : largest;
     int chosen = place[largest];
-    place[largest] = place[last];
-    place[last] = chosen;
-    if (chosen == 4)
+    if (chosen == 0)
       return -1;
-    const double *corner[] = {a, b, c, d};
+    place[largest] = place[last];
+    const double *corner[] = {e, a, b, c, d};
     corner[chosen] = e;
-    sign = gmds_orient3d(corner[0], corner[1], corner[2], corner[3]);
+    sign = gmds_orient3d(corner[1], corner[2], corner[3], corner[4]);
     if (sign)
       return sign;
   }
