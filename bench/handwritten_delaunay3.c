@@ -170,40 +170,50 @@ static unsigned in_conflict(const triangulation *t, gmds_id first, gmds_id secon
   return inside;
 }
 
-/* Fills t->ids and t->cavity from the one at their start; the value is how many there are, 0 without memory. Each
- * tetrahedron is tested once, two at a time, and appended without a branch. */
+/* Fills t->ids and t->cavity from a tetrahedron in conflict with node v; the value is how many there are, 0 without
+ * memory. Each tetrahedron is tested once, two at a time, and appended without a branch; what will be read of those in
+ * the queue, and of the numbers of nodes, is on its way meanwhile. */
 static size_t find_cavity(triangulation *t, gmds_id start, gmds_id v)
 {
   const double *p = point_of(t, v);
-  const gmds_id outside = 2 * v, inside = 2 * v + 1;
+  const gmds_id outside = 2 * v, inside = 2 * v + 1, *const node = t->node, *const neighbour = t->neighbour;
+  gmds_id *const mark = t->mark, *ids = t->ids, *tested = t->tested;
   size_t n = 1, n_tested = 0, done = 0;
-  t->ids[0] = start;
-  t->mark[start] = inside;
+  ids[0] = start;
+  mark[start] = inside;
   for (size_t i = 0; i < n; i++) {
-    if (!reserve_cavity(t, n + 8))
-      return 0;
-    former *f = &t->cavity[i];
-    memcpy(f->node, t->node + 4 * (size_t)t->ids[i], sizeof f->node);
-    memcpy(f->neighbour, t->neighbour + 4 * (size_t)t->ids[i], sizeof f->neighbour);
-    for (int k = 0; k < 4; k++) {
-      gmds_id next = f->neighbour[k] >> 2, mark = t->mark[next];
-      t->tested[n_tested] = next;
-      n_tested += mark < outside;
-      __builtin_prefetch(t->node + 4 * (size_t)next);
-      __builtin_prefetch(t->neighbour + 4 * (size_t)next);
-      t->mark[next] = mark < outside ? outside : mark;
+    if (n + 8 > t->capacity) {
+      if (!reserve_cavity(t, n + 8))
+        return 0;
+      ids = t->ids;
+      tested = t->tested;
     }
-    /* One that is left over waits for another as long as there can be one; then it is tested beside itself. */
-    while (done + 2 <= n_tested || (i + 1 == n && done < n_tested)) {
-      gmds_id first = t->tested[done], second = t->tested[done + 1 < n_tested ? done + 1 : done];
-      unsigned in = in_conflict(t, first, second, p) & (done + 1 < n_tested ? 3u : 1u);
-      t->ids[n] = second;
-      n += in >> 1;
-      t->mark[second] = outside + (in >> 1);
-      t->ids[n] = first;
+    former *f = &t->cavity[i];
+    memcpy(f->node, node + 4 * (size_t)ids[i], sizeof f->node);
+    memcpy(f->neighbour, neighbour + 4 * (size_t)ids[i], sizeof f->neighbour);
+    for (int k = 0; k < 4; k++) {
+      gmds_id next = f->neighbour[k] >> 2, had = mark[next];
+      tested[n_tested] = next;
+      n_tested += had < outside;
+      __builtin_prefetch(node + 4 * (size_t)next);
+      __builtin_prefetch(neighbour + 4 * (size_t)next);
+      __builtin_prefetch(t->local + f->node[k]);
+      mark[next] = had < outside ? outside : had;
+    }
+    /* One that is left over waits for another as long as there can be one; then it is tested beside the first of all,
+     * which stays what it is. */
+    if (i + 1 == n && (n_tested - done) % 2)
+      tested[n_tested++] = start;
+    while (done + 2 <= n_tested) {
+      gmds_id first = tested[done], second = tested[done + 1];
+      unsigned in = in_conflict(t, first, second, p);
+      ids[n] = second;
+      n += (in >> 1) & (second != start);
+      mark[second] = outside + (in >> 1);
+      ids[n] = first;
       n += in & 1;
-      t->mark[first] = outside + (in & 1);
-      done = done + 2 < n_tested ? done + 2 : n_tested;
+      mark[first] = outside + (in & 1);
+      done += 2;
     }
   }
   return n;
