@@ -29,6 +29,7 @@
 #undef all_adj_3_3
 #undef allows_sides
 #undef allows_type
+#undef arrives
 #undef begin_answer
 #undef begin_plan
 #undef borrow
@@ -131,6 +132,8 @@
 #undef is_answer
 #undef is_bare_edge
 #undef is_joined
+#undef is_rim
+#undef is_side
 #undef is_wall
 #undef lacks_one
 #undef link_around_nodes
