@@ -48,6 +48,10 @@ typedef struct mesh mesh;
 
 #define GMDS_STARS (GMDS__HAS_TETRAHEDRA && GMDS_ADDS_REGIONS && GMDS__FORGETS_REGIONS && GMDS__KNOWS_BARE)
 
+#define GMDS__MAKES_NONE                                                                                              \
+  GMDS_UNAVAILABLE("gmds: model '" GMDS_TEXT(GMDS_PREFIX) "' cannot make regions: it does not tell their edges, faces " \
+                   "or neighbours by nodes: add E2N where edges are kept, F2N where faces are, R2N where R2R is stored")
+
 /* ---- life */
 static inline gmds_status mesh_init(mesh *m, const gmds_allocator *allocator);
 static inline void mesh_clear(mesh *m);
@@ -135,6 +139,9 @@ static inline gmds_status add_tetrahedron(mesh *m, gmds_id a, gmds_id b, gmds_id
 #  if GMDS__POLYHEDRA
 static inline gmds_status add_polyhedron(mesh *m, size_t n, const gmds_id *faces, gmds_id *id);
 #  endif
+#else
+GMDS__MAKES_NONE gmds_status add_region(mesh *m, gmds_cell_type type, const gmds_id *nodes, gmds_id *id);
+GMDS__MAKES_NONE gmds_status add_tetrahedron(mesh *m, gmds_id a, gmds_id b, gmds_id c, gmds_id d, gmds_id *id);
 #endif
 
 /* ---- deletion
