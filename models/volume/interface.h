@@ -219,8 +219,13 @@ static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *
  * other fills an empty mesh with it; cells keep their identifiers, edges and faces that this model keeps more come behind
  * them (the volume has them too then), those that it does not keep are left out. Statuses as from_soup; where it fails
  * the mesh is empty. A tetrahedron whose order is not stored is turned so that its volume is positive, and so are other
- * regions that only know their faces. */
+ * regions that only know their faces.
+ *
+ * get_complex lists the nodes of all cells in a complex (complex.h) that is initialised and empty, and joins it: what
+ * algorithms that look at a whole mesh ask once. Cells keep their identifiers, those whose order is not stored are turned
+ * as above. Statuses as get_volume; after a failure the complex is empty. O(mesh). */
 #if GMDS_LISTS_CELLS
+static inline gmds_status get_complex(const mesh *m, gmds_complex *complex, gmds_error *error);
 static inline gmds_status to_soup(const mesh *m, gmds_soup *soup, gmds_error *error);
 static inline gmds_status get_volume(const mesh *m, gmds_volume *volume, gmds_error *error);
 #endif

@@ -104,6 +104,7 @@
 #define get_adj_3_1 GMDS_FN(get_adj_3_1)
 #define get_adj_3_2 GMDS_FN(get_adj_3_2)
 #define get_adj_3_3 GMDS_FN(get_adj_3_3)
+#define get_complex GMDS_FN(get_complex)
 #define get_volume GMDS_FN(get_volume)
 #define grow GMDS_FN(grow)
 #define has_0 GMDS_FN(has_0)

@@ -104,6 +104,7 @@
 #undef get_adj_3_1
 #undef get_adj_3_2
 #undef get_adj_3_3
+#undef get_complex
 #undef get_volume
 #undef grow
 #undef has_0
