@@ -1,4 +1,4 @@
-// expect: gmds: a model keeps nodes and faces: add N|F to GMDS_MODEL
+// expect: gmds: a model keeps nodes and faces, or nodes and regions: add N|F or N|R to GMDS_MODEL
 #define GMDS_PREFIX tri
 #define GMDS_MODEL (N | E | E2N)
 #include <gmds/mesh.h>

@@ -1,0 +1,5 @@
+// expect: gmds: GMDS_MODEL stores a relation of edges but keeps none: add E
+#define GMDS_PREFIX vol
+#define GMDS_MODEL (N | R | R2N | E2R)
+#include <gmds/mesh.h>
+#include <gmds/end.h>

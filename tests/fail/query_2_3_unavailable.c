@@ -1,0 +1,12 @@
+// expect: gmds: model 'vol' cannot answer 2->3: add F2R, or F2N with N2R, or F2E with E2R to GMDS_MODEL (the inverse of a relation will do, at the cost of a traversal)
+#define GMDS_PREFIX vol
+#define GMDS_MODEL (N | E | F | R)
+#define GMDS_REGIONS TETRAHEDRON
+#include <gmds/mesh.h>
+#include <gmds/end.h>
+
+gmds_status ask(const vol_mesh *m, gmds_id c, gmds_ids *out);
+gmds_status ask(const vol_mesh *m, gmds_id c, gmds_ids *out)
+{
+  return vol_get_adj_2_3(m, c, out);
+}
