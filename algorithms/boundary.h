@@ -1,5 +1,6 @@
-/* The boundary of a mesh: the sides that one face is on, joined to loops. One text for every model that answers 2 -> 0 in
- * order (or holds triangles only) and 2 -> 2. Both are asked for once for all faces, or read in place where they are stored.
+/* The boundary of a mesh: of a surface the sides that one face is on, joined to loops; of a volume the faces that one
+ * region is on (boundary/space.h). One text for every model of surfaces that answers 2 -> 0 in order (or holds triangles
+ * only) and 2 -> 2. Both are asked for once for all faces, or read in place where they are stored.
  *
  *   <prefix>_boundary(m, chains, open)
  *     m       any mesh
@@ -14,6 +15,9 @@
 #  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/boundary.h>"
 #endif
 
+#if GMDS_TOP == 3
+#  include <gmds/algorithms/boundary/space.h>
+#else
 #include <gmds/chains.h>
 
 _Static_assert(GMDS_CAN(2, 0), "gmds: boundary() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL (the inverse of a "
@@ -104,3 +108,4 @@ static inline gmds_status boundary(mesh *m, gmds_csr *chains, size_t *open)
 #  undef is_bare
 #  undef gather_bare
 #endif
+#endif /* surfaces */

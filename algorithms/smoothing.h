@@ -1,5 +1,5 @@
-/* Laplacian smoothing of a mesh of the plane: one text for every model that answers 2 -> 0 in order (or holds triangles
- * only) and 0 -> 2. Both are asked for once for all cells, or read in place where they are stored.
+/* Laplacian smoothing of a mesh of the plane, and of one of volumes (smoothing/space.h): one text for every model of
+ * surfaces that answers 2 -> 0 in order (or holds triangles only) and 0 -> 2. Both are asked for once for all cells, or read in place where they are stored.
  *
  * In each sweep the inner nodes, in the order of their identifiers, go to the mean of the nodes that they are joined with by
  * sides of faces, unless a corner of a face would turn the other way, or lie flat, that did not: turns are decided by the
@@ -16,6 +16,9 @@
 #  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/smoothing.h>"
 #endif
 
+#if GMDS_TOP == 3
+#  include <gmds/algorithms/smoothing/space.h>
+#else
 #include <gmds/predicates.h>
 
 _Static_assert(GMDS_COORDINATES == 2, "gmds: smooth() moves nodes of the plane: take DIM3 out of GMDS_MODEL");
@@ -141,3 +144,4 @@ static inline gmds_status smooth(mesh *m, size_t sweeps, size_t *moved)
 #  undef smooth_node
 #  undef smooth
 #endif
+#endif /* surfaces */

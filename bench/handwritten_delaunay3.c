@@ -170,40 +170,50 @@ static unsigned in_conflict(const triangulation *t, gmds_id first, gmds_id secon
   return inside;
 }
 
-/* Fills t->ids and t->cavity from the one at their start; the value is how many there are, 0 without memory. Each
- * tetrahedron is tested once, two at a time, and appended without a branch. */
+/* Fills t->ids and t->cavity from a tetrahedron in conflict with node v; the value is how many there are, 0 without
+ * memory. Each tetrahedron is tested once, two at a time, and appended without a branch; what will be read of those in
+ * the queue, and of the numbers of nodes, is on its way meanwhile. */
 static size_t find_cavity(triangulation *t, gmds_id start, gmds_id v)
 {
   const double *p = point_of(t, v);
-  const gmds_id outside = 2 * v, inside = 2 * v + 1;
+  const gmds_id outside = 2 * v, inside = 2 * v + 1, *const node = t->node, *const neighbour = t->neighbour;
+  gmds_id *const mark = t->mark, *ids = t->ids, *tested = t->tested;
   size_t n = 1, n_tested = 0, done = 0;
-  t->ids[0] = start;
-  t->mark[start] = inside;
+  ids[0] = start;
+  mark[start] = inside;
   for (size_t i = 0; i < n; i++) {
-    if (!reserve_cavity(t, n + 8))
-      return 0;
-    former *f = &t->cavity[i];
-    memcpy(f->node, t->node + 4 * (size_t)t->ids[i], sizeof f->node);
-    memcpy(f->neighbour, t->neighbour + 4 * (size_t)t->ids[i], sizeof f->neighbour);
-    for (int k = 0; k < 4; k++) {
-      gmds_id next = f->neighbour[k] >> 2, mark = t->mark[next];
-      t->tested[n_tested] = next;
-      n_tested += mark < outside;
-      __builtin_prefetch(t->node + 4 * (size_t)next);
-      __builtin_prefetch(t->neighbour + 4 * (size_t)next);
-      t->mark[next] = mark < outside ? outside : mark;
+    if (n + 8 > t->capacity) {
+      if (!reserve_cavity(t, n + 8))
+        return 0;
+      ids = t->ids;
+      tested = t->tested;
     }
-    /* One that is left over waits for another as long as there can be one; then it is tested beside itself. */
-    while (done + 2 <= n_tested || (i + 1 == n && done < n_tested)) {
-      gmds_id first = t->tested[done], second = t->tested[done + 1 < n_tested ? done + 1 : done];
-      unsigned in = in_conflict(t, first, second, p) & (done + 1 < n_tested ? 3u : 1u);
-      t->ids[n] = second;
-      n += in >> 1;
-      t->mark[second] = outside + (in >> 1);
-      t->ids[n] = first;
+    former *f = &t->cavity[i];
+    memcpy(f->node, node + 4 * (size_t)ids[i], sizeof f->node);
+    memcpy(f->neighbour, neighbour + 4 * (size_t)ids[i], sizeof f->neighbour);
+    for (int k = 0; k < 4; k++) {
+      gmds_id next = f->neighbour[k] >> 2, had = mark[next];
+      tested[n_tested] = next;
+      n_tested += had < outside;
+      __builtin_prefetch(node + 4 * (size_t)next);
+      __builtin_prefetch(neighbour + 4 * (size_t)next);
+      __builtin_prefetch(t->local + f->node[k]);
+      mark[next] = had < outside ? outside : had;
+    }
+    /* One that is left over waits for another as long as there can be one; then it is tested beside the first of all,
+     * which stays what it is. */
+    if (i + 1 == n && (n_tested - done) % 2)
+      tested[n_tested++] = start;
+    while (done + 2 <= n_tested) {
+      gmds_id first = tested[done], second = tested[done + 1];
+      unsigned in = in_conflict(t, first, second, p);
+      ids[n] = second;
+      n += (in >> 1) & (second != start);
+      mark[second] = outside + (in >> 1);
+      ids[n] = first;
       n += in & 1;
-      t->mark[first] = outside + (in & 1);
-      done = done + 2 < n_tested ? done + 2 : n_tested;
+      mark[first] = outside + (in & 1);
+      done += 2;
     }
   }
   return n;
@@ -260,25 +270,28 @@ static int take_ids(triangulation *t, size_t n_sides, size_t n)
   return 1;
 }
 
-/* The place of a directed edge in the hash table: of itself, or an empty one. */
-static size_t edge_slot(const triangulation *t, gmds_id from, gmds_id to)
+/* The place of a directed edge in a hash table of mask + 1 entries: of itself, or an empty one. */
+static size_t edge_slot(const gmds_id *table, size_t mask, gmds_id from, gmds_id to)
 {
-  size_t h = (size_t)(((uint64_t)from << 32 | to) * 0x9e3779b97f4a7c15u >> 20) % t->edges;
-  while (t->edge[3 * h + 2] != GMDS_NONE && (t->edge[3 * h] != from || t->edge[3 * h + 1] != to))
-    h = h + 1 < t->edges ? h + 1 : 0;
+  size_t h = (size_t)(((uint64_t)from << 32 | to) * 0x9e3779b97f4a7c15u >> 32) & mask;
+  while (table[3 * h + 2] != GMDS_NONE && (table[3 * h] != from || table[3 * h + 1] != to))
+    h = (h + 1) & mask;
   return 3 * h;
 }
 
 /* Links the tetrahedra of the star where their boundary has too many nodes for a table. */
 static int link_by_hash(triangulation *t, size_t n_sides)
 {
-  if (t->edges < 6 * n_sides) {
-    size_t grown = gmds_grown(t->edges, 6 * n_sides);
-    if (!resize_ids(t, &t->edge, 3 * t->edges, 3 * grown))
+  size_t edges = 1;
+  while (edges < 6 * n_sides)
+    edges *= 2;
+  if (t->edges < edges) {
+    if (!resize_ids(t, &t->edge, 3 * t->edges, 3 * edges))
       return 0;
-    t->edges = grown;
+    t->edges = edges;
   }
-  memset(t->edge, 0xff, 3 * t->edges * sizeof *t->edge);
+  gmds_id *const table = t->edge;
+  memset(table, 0xff, 3 * edges * sizeof *table);
   for (int link = 0; link < 2; link++)
     for (size_t i = 0; i < n_sides; i++) {
       const size_t id = t->ids[i];
@@ -286,12 +299,12 @@ static int link_by_hash(triangulation *t, size_t n_sides)
       for (gmds_id k = 0; k < 3; k++) {
         gmds_id from = row[on_face[k][1]], to = row[on_face[k][0]];
         if (link)
-          t->neighbour[4 * id + k] = t->edge[edge_slot(t, to, from) + 2];
+          t->neighbour[4 * id + k] = table[edge_slot(table, edges - 1, to, from) + 2];
         else {
-          size_t slot = edge_slot(t, from, to);
-          t->edge[slot] = from;
-          t->edge[slot + 1] = to;
-          t->edge[slot + 2] = 4 * t->ids[i] + k;
+          size_t slot = edge_slot(table, edges - 1, from, to);
+          table[slot] = from;
+          table[slot + 1] = to;
+          table[slot + 2] = 4 * t->ids[i] + k;
         }
       }
     }

@@ -1,5 +1,6 @@
 /* From soups to volumes, and back. */
 #include <gmds/volume.h>
+#include <stdio.h>
 #include <string.h>
 
 /* ---- from a soup */
@@ -8,7 +9,7 @@
 typedef struct taking {
   gmds_volume *volume;
   const gmds_soup *soup;
-  gmds_id *cell; /* GMDS_NONE: the same as one before it */
+  gmds_id *cell;
   size_t count[4];
 } taking;
 
@@ -231,7 +232,7 @@ static gmds_status merge_cells(taking *t, gmds_error *error)
     for (size_t c = 0; c < soup->n_cells; c++) {
       const int i = dimension(soup, c);
       if (i == 1 || i == 2)
-        t->cell[c] = first[i][t->cell[c]] == t->cell[c] ? map[i][t->cell[c]] : GMDS_NONE;
+        t->cell[c] = map[i][t->cell[c]];
     }
     status = gmds_complex_join(x, error);
   }
@@ -242,7 +243,67 @@ static gmds_status merge_cells(taking *t, gmds_error *error)
   return status;
 }
 
-/* The i-cells of the volume, with the attributes that the soup has of its cells, and which of them it listed. */
+enum { NAME_SIZE = 512 };
+
+/* What a vertex has as a cell is kept apart from what it has as a point. */
+#define VERTEX "vertex "
+
+/* The name that an attribute of a cell has on the i-cells for the q-th time that the cell is listed, from 0: NAME,
+ * NAME (2), ... */
+static const char *name_on_cells(const char *name, int i, int q, char room[NAME_SIZE])
+{
+  if (i && !q)
+    return name;
+  if (q)
+    snprintf(room, NAME_SIZE, "%s%s (%d)", i ? "" : VERTEX, name, q + 1);
+  else
+    snprintf(room, NAME_SIZE, "%s%s", VERTEX, name);
+  return room;
+}
+
+/* Writes what the soup has of cell c, listed for the q-th time, into the columns of the i-cells. */
+static gmds_status take_values(taking *t, gmds_cells *cells, int i, size_t k, size_t c, int q)
+{
+  for (const gmds_attribute *a = t->soup->attributes[GMDS_OF_CELLS]; a; a = a->next) {
+    char room[NAME_SIZE];
+    const char *name = name_on_cells(a->name, i, q, room);
+    gmds_attribute *own = gmds_attribute_find(cells, name);
+    if (!own)
+      GMDS_TRY(gmds_attribute_add(cells, name, a->type, a->components, &own));
+    if (own->type == a->type && own->components == a->components)
+      memcpy((char *)own->data + k * a->bytes, (const char *)a->data + c * a->bytes, a->bytes);
+  }
+  return GMDS_OK;
+}
+
+/* How the nodes of an edge or face were listed another time: twice the place of its first node, and 1 when they go the
+ * other way round. */
+static int turn_of(const gmds_id *first, const gmds_id *again, size_t n)
+{
+  size_t at = 0;
+  while (at + 1 < n && first[at] != again[0])
+    at++;
+  return (int)(2 * at) + (first[(at + 1) % n] != again[1]);
+}
+
+/* Remembers it in the attribute `listed (q + 1)`, where it is not as the first time. */
+static gmds_status take_turn(taking *t, gmds_cells *cells, int i, size_t k, size_t c, int q)
+{
+  const gmds_csr *nodes = &t->volume->complex.nodes[i];
+  char room[NAME_SIZE];
+  const int turn = turn_of(nodes->data + nodes->begin[k], t->soup->corners + t->soup->begin[c],
+                           nodes->begin[k + 1] - nodes->begin[k]);
+  if (!turn)
+    return GMDS_OK;
+  const char *name = name_on_cells(GMDS_LISTED, i, q, room);
+  gmds_attribute *own = gmds_attribute_find(cells, name);
+  if (!own)
+    GMDS_TRY(gmds_attribute_add(cells, name, GMDS_INT, 1, &own));
+  ((int *)own->data)[k] = turn;
+  return GMDS_OK;
+}
+
+/* The i-cells of the volume, with the attributes that the soup has of its cells, and how often it listed them. */
 static gmds_status take_cells(taking *t, int i)
 {
   const gmds_soup *soup = t->soup;
@@ -252,23 +313,16 @@ static gmds_status take_cells(taking *t, int i)
     GMDS_TRY(gmds_cells_resize(cells, t->volume->complex.nodes[i].n));
     (void)gmds_cells_take_many(cells, t->volume->complex.nodes[i].n);
   }
-  if (!t->count[i])
-    return GMDS_OK;
-  if (i < 3)
-    GMDS_TRY(gmds_attribute_add(cells, GMDS_LISTED, GMDS_BYTE, 1, &listed));
-  for (size_t c = 0; c < soup->n_cells && listed; c++)
-    if (dimension(soup, c) == i && t->cell[c] != GMDS_NONE)
-      ((uint8_t *)listed->data)[i ? t->cell[c] : soup->corners[soup->begin[c]]] = 1;
-  for (const gmds_attribute *a = soup->attributes[GMDS_OF_CELLS]; a; a = a->next) {
-    gmds_attribute *own = NULL;
-    gmds_status status = gmds_attribute_add(cells, a->name, a->type, a->components, &own);
-    if (status == GMDS_ERR_CONFLICT) /* points have one of this name: vertices leave theirs out */
+  if (t->count[i] && i < 3)
+    GMDS_TRY(gmds_attribute_add(cells, GMDS_LISTED, GMDS_INT, 1, &listed));
+  for (size_t c = 0; t->count[i] && c < soup->n_cells; c++) {
+    if (dimension(soup, c) != i)
       continue;
-    GMDS_TRY(status);
-    for (size_t c = 0; c < soup->n_cells; c++)
-      if (dimension(soup, c) == i && t->cell[c] != GMDS_NONE)
-        memcpy((char *)own->data + (i ? t->cell[c] : soup->corners[soup->begin[c]]) * a->bytes,
-               (const char *)a->data + c * a->bytes, a->bytes);
+    const size_t k = i ? t->cell[c] : soup->corners[soup->begin[c]];
+    const int q = listed ? ((int *)listed->data)[k]++ : 0;
+    if (q && i)
+      GMDS_TRY(take_turn(t, cells, i, k, c, q));
+    GMDS_TRY(take_values(t, cells, i, k, c, q));
   }
   return GMDS_OK;
 }
@@ -344,14 +398,20 @@ typedef struct giving {
   gmds_ids list;
 } giving;
 
-static int is_written(const giving *g, int i, size_t c)
+/* How often each i-cell was listed, or NULL. */
+static const int *times_listed(const giving *g, int i)
 {
-  const gmds_cells *cells = &g->volume->cells[i];
-  if (!gmds_bits_get(&cells->alive, c))
+  const gmds_attribute *listed = i < 3 ? gmds_attribute_find(&g->volume->cells[i], GMDS_LISTED) : NULL;
+  return listed && listed->type == GMDS_INT && listed->components == 1 ? listed->data : NULL;
+}
+
+/* How often an i-cell is written. */
+static int times_written(const giving *g, int i, const int *listed, size_t c)
+{
+  if (!gmds_bits_get(&g->volume->cells[i].alive, c))
     return 0;
-  const gmds_attribute *listed = i < 3 ? gmds_attribute_find(cells, GMDS_LISTED) : NULL;
-  if (listed && listed->type == GMDS_BYTE && listed->components == 1)
-    return ((const uint8_t *)listed->data)[c] != 0;
+  if (listed)
+    return listed[c] > 0 ? listed[c] : 0;
   return i == 3 || (i > 0 && !gmds_bits_get(&g->bounds[i], c));
 }
 
@@ -364,7 +424,23 @@ static gmds_cell_type type_of(const gmds_complex *x, int i, size_t c, size_t n)
   return i == 1 ? GMDS_SEGMENT : GMDS_VERTEX;
 }
 
-static gmds_status put_cell(giving *g, int i, size_t c)
+/* Turns the n nodes in the list as take_turn found them. */
+static gmds_status turn_list(giving *g, int i, size_t c, int q)
+{
+  char room[NAME_SIZE];
+  const gmds_attribute *turns = gmds_attribute_find(&g->volume->cells[i], name_on_cells(GMDS_LISTED, i, q, room));
+  const size_t n = g->list.n;
+  const int turn = turns && turns->type == GMDS_INT && turns->components == 1 ? ((const int *)turns->data)[c] : 0;
+  if (turn <= 0 || (size_t)(turn / 2) >= n)
+    return GMDS_OK;
+  GMDS_TRY(gmds_ids_reserve(&g->list, 2 * n));
+  memcpy(g->list.data + n, g->list.data, n * sizeof *g->list.data);
+  for (size_t k = 0; k < n; k++)
+    g->list.data[k] = g->list.data[n + ((size_t)(turn / 2) + (turn & 1 ? n - k : k)) % n];
+  return GMDS_OK;
+}
+
+static gmds_status put_cell(giving *g, int i, size_t c, int time)
 {
   const gmds_complex *x = &g->volume->complex;
   const gmds_csr *nodes = &x->nodes[i];
@@ -384,6 +460,8 @@ static gmds_status put_cell(giving *g, int i, size_t c)
   } else
     for (size_t k = 0; k < n; k++)
       GMDS_TRY(gmds_ids_push(&g->list, g->number[own[k]]));
+  if (time && (i == 1 || i == 2))
+    GMDS_TRY(turn_list(g, i, c, time));
   return gmds_soup_add_cell(g->soup, type_of(x, i, c, n), g->list.n, g->list.data);
 }
 
@@ -396,25 +474,59 @@ static gmds_status put_cells(giving *g)
     GMDS_TRY(gmds_soup_add_point(g->soup, g->volume->points + 3 * (size_t)v));
   }
   for (int i = 0; i < 4; i++) {
-    if (i == 0 && !gmds_attribute_find(nodes, GMDS_LISTED))
-      continue;
+    const int *listed = times_listed(g, i);
     for (size_t c = 0; c < g->volume->cells[i].end; c++)
-      if (is_written(g, i, c))
-        GMDS_TRY(put_cell(g, i, c));
+      for (int q = 0, n = times_written(g, i, listed, c); q < n; q++)
+        GMDS_TRY(put_cell(g, i, c, q));
   }
   return GMDS_OK;
 }
 
-/* The attribute of the i-cells in the soup, found or made; *given, whether it is to be written. */
-static gmds_status find_column(giving *g, int i, const gmds_attribute *a, gmds_attribute **column, gmds_error *error)
+/* The column of the soup under a name, found or made. */
+static gmds_status find_column(giving *g, int i, gmds_place place, const char *name, const gmds_attribute *a,
+                               gmds_attribute **column, gmds_error *error)
 {
-  const gmds_place place = i ? GMDS_OF_CELLS : GMDS_OF_POINTS;
-  *column = gmds_soup_find_attribute(g->soup, place, a->name);
+  *column = gmds_soup_find_attribute(g->soup, place, name);
   if (!*column)
-    return gmds_soup_add_attribute(g->soup, place, a->name, a->type, a->components, column);
+    return gmds_soup_add_attribute(g->soup, place, name, a->type, a->components, column);
   if ((*column)->type == a->type && (*column)->components == a->components)
     return GMDS_OK;
-  return gmds_fail(error, GMDS_ERR_CONFLICT, "attribute '%s' has another type on cells of dimension %d", a->name, i);
+  return gmds_fail(error, GMDS_ERR_CONFLICT, "attribute '%s' has another type on cells of dimension %d", name, i);
+}
+
+/* Whether `a` is NAME (q) of another column NAME: what a cell had that was listed again. */
+static int is_repetition(const gmds_cells *cells, const gmds_attribute *a)
+{
+  for (const gmds_attribute *b = cells->attributes; b; b = b->next) {
+    const size_t n = strlen(b->name);
+    if (b != a && !strncmp(a->name, b->name, n) && !strncmp(a->name + n, " (", 2) && a->type == b->type)
+      return 1;
+  }
+  return 0;
+}
+
+/* Writes an attribute of the i-cells, NAME in the soup, beside the cells that begin at `at`. */
+static void put_values(giving *g, int i, const gmds_attribute *a, const char *name, gmds_attribute *column, size_t at)
+{
+  const gmds_cells *cells = &g->volume->cells[i];
+  const int *listed = times_listed(g, i);
+  for (size_t c = 0; c < cells->end; c++) {
+    const int n = times_written(g, i, listed, c);
+    for (int q = 0; q < n; q++) {
+      char room[NAME_SIZE];
+      const gmds_attribute *from = q ? gmds_attribute_find(cells, name_on_cells(name, i, q, room)) : a;
+      if (!from || from->type != a->type || from->components != a->components)
+        from = a;
+      memcpy((char *)column->data + at++ * a->bytes, (const char *)from->data + c * a->bytes, a->bytes);
+    }
+  }
+}
+
+static void put_point_values(giving *g, const gmds_attribute *a, gmds_attribute *column)
+{
+  const gmds_cells *nodes = &g->volume->cells[0];
+  for (gmds_id v = gmds_cells_next(nodes, 0); v != GMDS_NONE; v = gmds_cells_next(nodes, v + 1))
+    memcpy((char *)column->data + g->number[v] * a->bytes, (const char *)a->data + v * a->bytes, a->bytes);
 }
 
 static gmds_status put_attributes(giving *g, gmds_error *error)
@@ -422,22 +534,21 @@ static gmds_status put_attributes(giving *g, gmds_error *error)
   size_t before = 0; /* cells of lower dimension */
   for (int i = 0; i < 4; i++) {
     const gmds_cells *cells = &g->volume->cells[i];
-    size_t written = 0;
+    const int *listed = times_listed(g, i);
     for (const gmds_attribute *a = cells->attributes; a; a = a->next) {
       gmds_attribute *column = NULL;
-      if (i < 3 && !strcmp(a->name, GMDS_LISTED))
+      const int of_vertex = i == 0 && listed && !strncmp(a->name, VERTEX, strlen(VERTEX));
+      const char *name = of_vertex ? a->name + strlen(VERTEX) : a->name;
+      if (listed && (!strcmp(a->name, GMDS_LISTED) || is_repetition(cells, a)))
         continue;
-      GMDS_TRY(find_column(g, i, a, &column, error));
-      size_t at = before;
-      for (size_t c = 0; c < cells->end; c++)
-        if (i ? is_written(g, i, c) : gmds_bits_get(&cells->alive, c))
-          memcpy((char *)column->data + (i ? at++ : g->number[c]) * a->bytes, (const char *)a->data + c * a->bytes,
-                 a->bytes);
+      GMDS_TRY(find_column(g, i, i || of_vertex ? GMDS_OF_CELLS : GMDS_OF_POINTS, name, a, &column, error));
+      if (i || of_vertex)
+        put_values(g, i, a, name, column, before);
+      else
+        put_point_values(g, a, column);
     }
-    if (i || gmds_attribute_find(cells, GMDS_LISTED))
-      for (size_t c = 0; c < cells->end; c++)
-        written += (size_t)is_written(g, i, c);
-    before += written;
+    for (size_t c = 0; c < cells->end; c++)
+      before += (size_t)times_written(g, i, listed, c);
   }
   return GMDS_OK;
 }

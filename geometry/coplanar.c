@@ -13,9 +13,9 @@
  * has the signs of D and of [b - a, c - a], both changed or neither: their product is the answer. The components are
  * those of the projections along that axis, the second an orient2d, the first an incircle but for its lifts, which are
  * those of space: of degree 4, where the sphere through a, b, c and a point off the plane takes degree 6. */
-#include "expansion.h"
 #include "stages.h"
 #include "wide.h"
+#include "words.h"
 #include <gmds/predicates.h>
 
 /* The two coordinates that each projection keeps, in the order of CGAL's coplanar_orientation. */
@@ -73,6 +73,34 @@ int gmds_coplanar_lattice(int u, int v, const double a[3], const double b[3], co
   return (det > 0) - (det < 0);
 }
 
+#if defined __SIZEOF_INT128__
+int gmds_coplanar_words(int u, int v, const double a[3], const double b[3], const double c[3], const double d[3])
+{
+  const double *const from[] = {a, b, c};
+  int64_t x[9];
+  if (!integer_differences(3, from, d, x))
+    return GMDS_UNDECIDED;
+  uint64_t sum[5] = {0};
+  for (int i = 0; i < 9; i += 3) {
+    const int64_t *q = x + (i + 3) % 9, *r = x + (i + 6) % 9;
+    int128 minor = (int128)q[u] * r[v] - (int128)r[u] * q[v];
+    words_add_lifted(sum, x + i, (words3){minor >> 64, (uint64_t)minor}, 0);
+  }
+  return words_sum_sign(sum);
+}
+#else
+int gmds_coplanar_words(int u, int v, const double a[3], const double b[3], const double c[3], const double d[3])
+{
+  (void)u;
+  (void)v;
+  (void)a;
+  (void)b;
+  (void)c;
+  (void)d;
+  return GMDS_UNDECIDED;
+}
+#endif
+
 int gmds_coplanar_wide(int u, int v, const double a[3], const double b[3], const double c[3], const double d[3])
 {
   const double *const points[] = {a, b, c, d};
@@ -128,6 +156,8 @@ int gmds_coplanar_incircle(const double a[3], const double b[3], const double c[
     int sign = gmds_coplanar_filter(axes[0], axes[1], a, b, c, d);
     if (sign == 0)
       sign = gmds_coplanar_lattice(axes[0], axes[1], a, b, c, d);
+    if (sign == GMDS_UNDECIDED)
+      sign = gmds_coplanar_words(axes[0], axes[1], a, b, c, d);
     if (sign == GMDS_UNDECIDED)
       sign = gmds_coplanar_wide(axes[0], axes[1], a, b, c, d);
     return sign * turn;

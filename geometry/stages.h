@@ -30,18 +30,17 @@ int gmds_incircle_expansion(const double a[2], const double b[2], const double c
 /* Integers on the common grid of the coordinates. Always decides. */
 int gmds_incircle_wide(const double a[2], const double b[2], const double c[2], const double d[2]);
 
-/* As those of incircle. */
+/* As those of incircle, but in the words of words.h, undecided where exponents differ much, instead of expansions. */
 int gmds_orient3d_lattice(const double a[3], const double b[3], const double c[3], const double d[3]);
+int gmds_orient3d_words(const double a[3], const double b[3], const double c[3], const double d[3]);
 int gmds_orient3d_extended(const double a[3], const double b[3], const double c[3], const double d[3]);
-int gmds_orient3d_expansion(const double a[3], const double b[3], const double c[3], const double d[3]);
 int gmds_orient3d_wide(const double a[3], const double b[3], const double c[3], const double d[3]);
 
 int gmds_insphere_lattice(const double a[3], const double b[3], const double c[3], const double d[3],
                           const double e[3]);
+int gmds_insphere_words(const double a[3], const double b[3], const double c[3], const double d[3], const double e[3]);
 int gmds_insphere_extended(const double a[3], const double b[3], const double c[3], const double d[3],
                            const double e[3]);
-int gmds_insphere_expansion(const double a[3], const double b[3], const double c[3], const double d[3],
-                            const double e[3]);
 int gmds_insphere_wide(const double a[3], const double b[3], const double c[3], const double d[3], const double e[3]);
 
 /* The stages of the determinant that decides in the plane of four points, projected to the axes u and v; see
@@ -49,6 +48,7 @@ int gmds_insphere_wide(const double a[3], const double b[3], const double c[3], 
  */
 int gmds_coplanar_filter(int u, int v, const double a[3], const double b[3], const double c[3], const double d[3]);
 int gmds_coplanar_lattice(int u, int v, const double a[3], const double b[3], const double c[3], const double d[3]);
+int gmds_coplanar_words(int u, int v, const double a[3], const double b[3], const double c[3], const double d[3]);
 int gmds_coplanar_wide(int u, int v, const double a[3], const double b[3], const double c[3], const double d[3]);
 
 /* The differences of three coordinates of n points from those of `last`. The value is whether all are exact. */

@@ -88,7 +88,8 @@ static unsigned exact_region_types(unsigned mask, int i, int j, const row *r)
   const int sides = stored(mask, 2, 0),
             walls = stored(mask, 3, 0) || (stored(mask, 3, 1) && stored(mask, 1, 0)) ||
                     (stored(mask, 3, 2) && stored(mask, 2, 0)),
-            either = walls || (linked(mask, 2, 3) && sides);
+            borders = sides || linked(mask, 1, 2),
+            either = walls || linked(mask, 1, 3) || (linked(mask, 2, 3) && borders);
   int exact = 1;
   switch (4 * i + j) {
   case 0:
@@ -96,20 +97,20 @@ static unsigned exact_region_types(unsigned mask, int i, int j, const row *r)
     break;
   case 6: /* 1 -> 2 */
   case 9: /* 2 -> 1 */
-    exact = r->id != 2 || sides;
+    exact = r->id != 2 || borders;
     break;
   case 7: /* 1 -> 3 */
-    exact = r->id == 3 ? either : r->id == 4 ? sides : 1;
+    exact = r->id == 3 ? either : r->id == 4 ? borders : 1;
     break;
   case 10: /* 2 -> 2 */
-    exact = r->id != 3 || sides || linked(mask, 1, 2);
+    exact = r->id != 3 || borders;
     break;
   case 11: /* 2 -> 3 */
   case 14: /* 3 -> 2 */
-    exact = r->id < 2 || walls;
+    exact = r->id < 2 || walls || linked(mask, 2, 3);
     break;
   case 13: /* 3 -> 1 */
-    exact = r->id == 3 ? either : r->id == 4 ? sides || walls : 1;
+    exact = r->id == 3 ? either : r->id == 4 ? borders || either : 1;
     break;
   case 15: /* 3 -> 3 */
     exact = (r->id != 3 && r->id != 4 && r->id != 9) || walls || linked(mask, 2, 3);

@@ -54,6 +54,7 @@
 
 /* What is known of a cell's own cells by their nodes: the sides of a face, the faces (walls) of a region. */
 #define GMDS__KNOWS_SIDES (GMDS__SIMPLICIAL || GMDS__S_2_0)
+#define GMDS__KNOWS_BORDERS (GMDS__KNOWS_SIDES || (GMDS__K_3 && GMDS__LINKED_1_2)) /* of a face and an edge */
 #define GMDS__KNOWS_WALLS                                                                    \
   (GMDS__TETRAHEDRA || (GMDS__S_3_0 && !GMDS__POLYHEDRA) || (GMDS__S_3_2 && GMDS__S_2_0) || \
    (GMDS__S_3_1 && GMDS__S_1_0 && !GMDS__POLYHEDRA))
@@ -64,24 +65,24 @@
 #define GMDS__EXACT_0_3 1
 #define GMDS__EXACT_1_0 1
 #define GMDS__EXACT_1_1 1
-#define GMDS__EXACT_1_2 (GMDS__ROW_1_2 != 2 || GMDS__KNOWS_SIDES)
-#define GMDS__EXACT_1_3 \
-  ((GMDS__ROW_1_3 != 3 || GMDS__KNOWS_WALLS || (GMDS__LINKED_2_3 && GMDS__KNOWS_SIDES)) && \
-   (GMDS__ROW_1_3 != 4 || GMDS__KNOWS_SIDES))
+#define GMDS__EXACT_1_2 (GMDS__ROW_1_2 != 2 || GMDS__KNOWS_BORDERS)
+#define GMDS__EXACT_1_3                                                                                          \
+  ((GMDS__ROW_1_3 != 3 || GMDS__KNOWS_WALLS || GMDS__LINKED_1_3 || (GMDS__LINKED_2_3 && GMDS__KNOWS_BORDERS)) && \
+   (GMDS__ROW_1_3 != 4 || GMDS__KNOWS_BORDERS))
 #define GMDS__EXACT_2_0 1
-#define GMDS__EXACT_2_1 (GMDS__ROW_2_1 != 2 || GMDS__KNOWS_SIDES)
+#define GMDS__EXACT_2_1 (GMDS__ROW_2_1 != 2 || GMDS__KNOWS_BORDERS)
 #if GMDS__K_3
 #  define GMDS__EXACT_2_2 (GMDS__ROW_2_2 != 3 || GMDS__KNOWS_SIDES || GMDS__LINKED_1_2)
 #else
 #  define GMDS__EXACT_2_2 \
     (GMDS__KNOWS_SIDES || (GMDS__ROW_2_2 != 3 && GMDS__ROW_2_2 != 5 && !(GMDS__ROW_2_2 == 4 && !GMDS__S_2_1)))
 #endif
-#define GMDS__EXACT_2_3 (GMDS__ROW_2_3 < 2 || GMDS__KNOWS_WALLS)
+#define GMDS__EXACT_2_3 (GMDS__ROW_2_3 < 2 || GMDS__KNOWS_WALLS || GMDS__LINKED_2_3)
 #define GMDS__EXACT_3_0 1
-#define GMDS__EXACT_3_1 \
-  ((GMDS__ROW_3_1 != 3 || GMDS__KNOWS_WALLS || (GMDS__LINKED_2_3 && GMDS__KNOWS_SIDES)) && \
-   (GMDS__ROW_3_1 != 4 || GMDS__KNOWS_SIDES || GMDS__KNOWS_WALLS))
-#define GMDS__EXACT_3_2 (GMDS__ROW_3_2 < 2 || GMDS__KNOWS_WALLS)
+#define GMDS__EXACT_3_1                                                                                          \
+  ((GMDS__ROW_3_1 != 3 || GMDS__KNOWS_WALLS || GMDS__LINKED_1_3 || (GMDS__LINKED_2_3 && GMDS__KNOWS_BORDERS)) && \
+   (GMDS__ROW_3_1 != 4 || GMDS__KNOWS_WALLS || GMDS__LINKED_1_3 || GMDS__KNOWS_BORDERS))
+#define GMDS__EXACT_3_2 (GMDS__ROW_3_2 < 2 || GMDS__KNOWS_WALLS || GMDS__LINKED_2_3)
 #define GMDS__EXACT_3_3 ((GMDS__ROW_3_3 != 3 && GMDS__ROW_3_3 != 4 && GMDS__ROW_3_3 != 9) || GMDS__KNOWS_WALLS || GMDS__LINKED_2_3)
 #define GMDS__CAN_0_0 (GMDS__PATH_0_0 != 0 && GMDS__EXACT_0_0)
 #define GMDS__CAN_0_1 (GMDS__PATH_0_1 != 0 && GMDS__EXACT_0_1)

@@ -38,6 +38,7 @@
 #undef GMDS__LINKED_1_3
 #undef GMDS__LINKED_2_3
 #undef GMDS__KNOWS_SIDES
+#undef GMDS__KNOWS_BORDERS
 #undef GMDS__KNOWS_WALLS
 #undef GMDS__EXACT_0_0
 #undef GMDS__EXACT_0_1

@@ -6,7 +6,8 @@
  * A call ends at the first stage that is certain of the sign. The floating-point filters are inline, here, and decide
  * all but degenerate and nearly degenerate calls for a dozen (orient2d), three dozen (incircle, orient3d) or ninety
  * (insphere) flops and one comparison. What they leave undecided goes to gmds_<predicate>_exact, compiled once in the
- * library: plain arithmetic where it is exact (lattices), expansions, and integers of up to 10502 bits.
+ * library: plain arithmetic where it is exact (lattices), expansions or integers of a few words, and integers of up to
+ * 10502 bits.
  *
  * The filters stay valid where a compiler contracts a product and a sum into one operation, which only removes
  * roundings that the bounds allow for. They need rounding to nearest and no reassociation.
@@ -47,7 +48,7 @@ extern "C" {
  *   insphere   5 differences, 1 product and 1 sum in a minor of two rows, 1 product and 2 sums in one
  *              of three, 1 product and 2 sums in the lift, 1 product, 1 sum                           k = 15
  * so |D - exact| <= k u (1 + k u) size. The sizes that are computed, and the bound from them, go through at most 12
- * roundings (the square of a cheap insphere bound 30). All of these terms of order u^2 are below k u 2^-46; the
+ * roundings (the square of the cheap insphere bound 40). All of these terms of order u^2 are below k u 2^-46; the
  * constants are k u (1 + 2^-40).
  * (Shewchuk's error bounds A have the same k, and 16 for insphere, where the sum of four counts one addition more.
  * Meyer and Pion's, times the largest differences, are 8 u, 80 u, 46 u and 1123 u.)
@@ -69,8 +70,8 @@ extern "C" {
  * In orient3d and in insphere, tight, t is added to every factor of every term of the size. An error n of a product is
  * multiplied by the factors that follow; the size has the same monomial with t for the product, or t^2 where the
  * product was one of two already, and t^3 beside 4n: with t = 2^-300, k u t^3 exceeds 4n and each is far larger than
- * the error. In insphere, cheap, t = 2^-180 is added to S: an error is at most 12n times a monomial of degree m <= 4 in
- * lengths below sqrt(S + t), and (S + t)^(5/2 - m/2) >= 2^-450 leaves it far below the bound, whose square, above
+ * the error. In insphere, cheap, t = 2^-180 is added to S: the errors are at most 60n times a monomial of degree m <= 3
+ * in lengths below sqrt(S + t), and (S + t)^(5/2 - m/2) >= 2^-450 leaves them far below the bound, whose square, above
  * 2^-1010, does not underflow. Where the square is finite all differences are below 2^103, and nothing overflows. */
 #define GMDS_ORIENT2D_BOUND (0x1.8p-52 * (1 + 0x1p-40))
 #define GMDS_INCIRCLE_BOUND (0x1.4p-50 * (1 + 0x1p-40))

@@ -27,21 +27,24 @@ void gmds_volume_clear(gmds_volume *volume);
  * as many cells as `from` has below its end. GMDS_OK; GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (it may have attributes). */
 gmds_status gmds_cells_copy(const gmds_cells *from, gmds_cells *to);
 
-/* The attribute of bytes by which a mesh remembers which of its nodes, edges and faces a soup listed as cells, when it was
- * made from one: 1 for those. Where it is there the others are not written back. */
+/* The attribute (GMDS_INT) by which a mesh remembers how often a soup that it was made from listed each of its nodes, edges
+ * and faces as a cell. Where it is there, others are not written back. Another attribute, `listed (2)` and so on, says how the
+ * nodes were turned the second time. */
 #define GMDS_LISTED "listed"
 
-/* Fills a volume that holds nothing with the points and cells of a soup: vertices, segments, faces and regions, each once
- * (of cells with the same nodes the first counts). Attributes of points become those of nodes, attributes of cells those of
- * every dimension of which the soup has cells. A soup of two coordinates gets a third, 0.
+/* Fills a volume that holds nothing with the points and cells of a soup: vertices, segments, faces and regions. Vertices,
+ * segments and faces with the same nodes are one cell, whose nodes are in the order of the first. Attributes of points
+ * become those of nodes, attributes of cells those of every dimension of which the soup has cells; what a second cell with
+ * the same nodes had goes into an attribute NAME (2), of a third into NAME (3), what vertices had as cells into vertex NAME.
+ * A soup of two coordinates gets a third, 0.
  * GMDS_OK; GMDS_ERR_ARGUMENT (a cell has a node twice, or not as many as its type; the faces of a polyhedron do not close),
  * GMDS_ERR_CELL (a point that does not exist), both with a sentence that names it; GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY.
  * O(soup). */
 gmds_status gmds_volume_from_soup(gmds_volume *volume, const gmds_soup *soup, gmds_error *error);
 
 /* The reverse, into a soup that is initialised for three coordinates and empty: nodes, then the cells of each dimension in
- * their order, from 0 up. Nodes that are no listed vertices are points alone; edges and faces are written where they are
- * listed, or, where nothing is, when they bound nothing. The complex is joined.
+ * their order, from 0 up. Nodes that are no listed vertices are points alone; edges and faces are written as often as
+ * they were listed, or, where nothing is, when they bound nothing. The complex is joined.
  * GMDS_OK; GMDS_ERR_CONFLICT (attributes of one name and different types; `error` names it), GMDS_ERR_MEMORY,
  * GMDS_ERR_TOO_MANY. The soup stays empty after a failure. O(volume). */
 gmds_status gmds_volume_to_soup(gmds_volume *volume, gmds_soup *soup, gmds_error *error);

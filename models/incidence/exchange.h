@@ -158,3 +158,23 @@ static inline gmds_status checksum(const mesh *m, gmds_memory *memory, uint64_t 
   return status;
 }
 #endif
+
+#if GMDS_LISTS_CELLS
+static inline gmds_status get_complex(const mesh *m, gmds_complex *complex, gmds_error *error)
+{
+  gmds_complex result;
+  gmds_complex_init(&result, complex->memory, end_0(m));
+  gmds_status status = all_adj_2_0(m, &result.nodes[2]);
+#  if GMDS__CAN_1_0
+  if (status == GMDS_OK)
+    status = all_adj_1_0(m, &result.nodes[1]);
+#  endif
+  if (status == GMDS_OK)
+    status = gmds_complex_join(&result, error);
+  if (status == GMDS_OK)
+    *complex = result;
+  else
+    gmds_complex_clear(&result);
+  return status == GMDS_OK ? status : gmds_fail(error, status, "listing the cells of a mesh: %s", gmds_status_text(status));
+}
+#endif

@@ -375,6 +375,15 @@ static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *
 static inline gmds_status to_soup(const mesh *m, gmds_soup *soup);
 #endif
 
+/* Lists the nodes of all cells in a complex (complex.h) that is initialised and empty, and joins it: what algorithms that
+ * look at a whole mesh ask once. Faces keep their identifiers, and edges where the model answers 1 -> 0; others are not
+ * listed. GMDS_OK, GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY (the complex stays empty). O(mesh). In models that keep the order of
+ * a face's nodes, or hold triangles only. */
+#define GMDS_LISTS_CELLS (GMDS_ORDERED_2_0 || (GMDS__CAN_2_0 && GMDS__SIMPLICIAL))
+#if GMDS_LISTS_CELLS
+static inline gmds_status get_complex(const mesh *m, gmds_complex *complex, gmds_error *error);
+#endif
+
 /* Hands over all that the mesh holds, in constant time: cells, points, attributes, relations, and its memory with the
  * counts, so that `peak` goes on in whoever takes them. What `parts` (initialised, see parts.h) held is freed. The mesh is
  * empty and usable. Lists of the caller that took their memory from the mesh (mesh_memory) are cleared before. */

@@ -34,6 +34,7 @@
 #undef meet_0_2
 #undef has_side
 #undef keep_sharing_side
+#undef get_complex
 #undef get_adj_0_0
 #undef get_adj_0_1
 #undef get_adj_0_2
@@ -155,6 +156,7 @@
 #undef copy_stored
 #undef give_parts
 #undef take_parts
+#undef GMDS_LISTS_CELLS
 #undef GMDS_ADDS_FACES
 #undef view_0_0
 #undef view_0_1

@@ -26,6 +26,18 @@ static inline gmds_status get_volume(const mesh *m, gmds_volume *volume, gmds_er
   return GMDS_OK;
 }
 
+static inline gmds_status get_complex(const mesh *m, gmds_complex *complex, gmds_error *error)
+{
+  gmds_status status = to_complex(m, complex);
+  if (status == GMDS_OK)
+    status = gmds_complex_join(complex, error);
+  if (status != GMDS_OK) {
+    gmds_complex_clear(complex);
+    gmds_fail(error, status, "listing the cells of a mesh: %s", gmds_status_text(status));
+  }
+  return status;
+}
+
 static inline gmds_status to_soup(const mesh *m, gmds_soup *soup, gmds_error *error)
 {
   gmds_volume volume;

@@ -48,6 +48,10 @@ typedef struct mesh mesh;
 
 #define GMDS_STARS (GMDS__HAS_TETRAHEDRA && GMDS_ADDS_REGIONS && GMDS__FORGETS_REGIONS && GMDS__KNOWS_BARE)
 
+#define GMDS__MAKES_NONE                                                                                              \
+  GMDS_UNAVAILABLE("gmds: model '" GMDS_TEXT(GMDS_PREFIX) "' cannot make regions: it does not tell their edges, faces " \
+                   "or neighbours by nodes: add E2N where edges are kept, F2N where faces are, R2N where R2R is stored")
+
 /* ---- life */
 static inline gmds_status mesh_init(mesh *m, const gmds_allocator *allocator);
 static inline void mesh_clear(mesh *m);
@@ -135,6 +139,9 @@ static inline gmds_status add_tetrahedron(mesh *m, gmds_id a, gmds_id b, gmds_id
 #  if GMDS__POLYHEDRA
 static inline gmds_status add_polyhedron(mesh *m, size_t n, const gmds_id *faces, gmds_id *id);
 #  endif
+#else
+GMDS__MAKES_NONE gmds_status add_region(mesh *m, gmds_cell_type type, const gmds_id *nodes, gmds_id *id);
+GMDS__MAKES_NONE gmds_status add_tetrahedron(mesh *m, gmds_id a, gmds_id b, gmds_id c, gmds_id d, gmds_id *id);
 #endif
 
 /* ---- deletion
@@ -213,8 +220,13 @@ static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *
  * other fills an empty mesh with it; cells keep their identifiers, edges and faces that this model keeps more come behind
  * them (the volume has them too then), those that it does not keep are left out. Statuses as from_soup; where it fails
  * the mesh is empty. A tetrahedron whose order is not stored is turned so that its volume is positive, and so are other
- * regions that only know their faces. */
+ * regions that only know their faces.
+ *
+ * get_complex lists the nodes of all cells in a complex (complex.h) that is initialised and empty, and joins it: what
+ * algorithms that look at a whole mesh ask once. Cells keep their identifiers, those whose order is not stored are turned
+ * as above. Statuses as get_volume; after a failure the complex is empty. O(mesh). */
 #if GMDS_LISTS_CELLS
+static inline gmds_status get_complex(const mesh *m, gmds_complex *complex, gmds_error *error);
 static inline gmds_status to_soup(const mesh *m, gmds_soup *soup, gmds_error *error);
 static inline gmds_status get_volume(const mesh *m, gmds_volume *volume, gmds_error *error);
 #endif

@@ -29,6 +29,7 @@
 #undef all_adj_3_3
 #undef allows_sides
 #undef allows_type
+#undef arrives
 #undef begin_answer
 #undef begin_plan
 #undef borrow
@@ -103,6 +104,7 @@
 #undef get_adj_3_1
 #undef get_adj_3_2
 #undef get_adj_3_3
+#undef get_complex
 #undef get_volume
 #undef grow
 #undef has_0
@@ -131,6 +133,8 @@
 #undef is_answer
 #undef is_bare_edge
 #undef is_joined
+#undef is_rim
+#undef is_side
 #undef is_wall
 #undef lacks_one
 #undef link_around_nodes
@@ -295,6 +299,7 @@
 #undef GMDS__LISTS_WALLS
 #undef GMDS__MAKES_EDGES
 #undef GMDS__MAKES_FACES
+#undef GMDS__MAKES_NONE
 #undef GMDS__MOVES_REGIONS
 #undef GMDS__ORDERED_FACES
 #undef GMDS__ORDERED_REGIONS

@@ -219,7 +219,7 @@ static inline gmds_status share_wall(const mesh *m, gmds_id r, gmds_id s, gmds_i
 #  endif
 }
 
-/* Whether face f, which shares three nodes or edges with region r, is one of its faces. */
+/* Whether face f has just the nodes of one of the faces of region r. */
 static inline gmds_status is_wall(const mesh *m, gmds_id f, gmds_id r, gmds_ids *stack, int *is)
 {
   *is = 0;
@@ -237,13 +237,6 @@ static inline gmds_status is_wall(const mesh *m, gmds_id f, gmds_id r, gmds_ids 
 #    endif
   *is = find_wall(m, r, stack->n - first, stack->data + first) != GMDS_NONE;
   stack->n = mark;
-#  elif GMDS__LINKED_2_3
-  size_t mark = stack->n;
-  GMDS_TRY(gmds_ids_push(stack, f));
-  GMDS_TRY(hop_2_3(m, stack, mark, mark + 1));
-  for (size_t k = mark + 1; k < stack->n; k++)
-    *is |= stack->data[k] == r;
-  stack->n = mark;
 #  else
   (void)m;
   (void)f;
@@ -251,6 +244,63 @@ static inline gmds_status is_wall(const mesh *m, gmds_id f, gmds_id r, gmds_ids 
   (void)stack;
 #  endif
   return GMDS_OK;
+}
+
+/* Whether one hop from x arrives at y. */
+GMDS_SPECIALISED gmds_status arrives(const mesh *m, gmds_id x, gmds_id y,
+                                     gmds_status (*hop)(const mesh *, gmds_ids *, size_t, size_t), gmds_ids *stack,
+                                     int *does)
+{
+  size_t mark = stack->n;
+  *does = 0;
+  GMDS_TRY(gmds_ids_push(stack, x));
+  GMDS_TRY(hop(m, stack, mark, mark + 1));
+  for (size_t k = mark + 1; k < stack->n; k++)
+    *does |= stack->data[k] == y;
+  stack->n = mark;
+  return GMDS_OK;
+}
+
+/* Whether edge e, from p to q, is a side of face f. */
+static inline gmds_status is_side(const mesh *m, gmds_id e, gmds_id p, gmds_id q, gmds_id f, gmds_ids *stack, int *is)
+{
+  (void)p;
+  (void)q;
+#  if GMDS__S_1_2
+  return arrives(m, e, f, hop_1_2, stack, is);
+#  elif GMDS__S_2_1
+  return arrives(m, f, e, hop_2_1, stack, is);
+#  else
+  (void)e;
+  (void)stack;
+  *is = has_side(m, f, p, q);
+  return GMDS_OK;
+#  endif
+}
+
+/* Whether edge e, from p to q, is one of region r. */
+static inline gmds_status is_rim(const mesh *m, gmds_id e, gmds_id p, gmds_id q, gmds_id r, gmds_ids *stack, int *is)
+{
+  (void)e;
+  (void)p;
+  (void)q;
+#  if GMDS__S_1_3
+  return arrives(m, e, r, hop_1_3, stack, is);
+#  elif GMDS__S_3_1
+  return arrives(m, r, e, hop_3_1, stack, is);
+#  elif GMDS__LISTS_WALLS
+  return has_rim(m, r, p, q, stack, is);
+#  else
+  size_t mark = stack->n;
+  *is = 0;
+  GMDS_TRY(gmds_ids_push(stack, r));
+  GMDS_TRY(hop_3_2(m, stack, mark, mark + 1));
+  size_t last = stack->n;
+  for (size_t k = mark + 1; k < last && !*is; k++)
+    GMDS_TRY(is_side(m, e, p, q, stack->data[k], stack, is));
+  stack->n = mark;
+  return GMDS_OK;
+#  endif
 }
 
 /* Whether node b, beside v around no more than some face or region, is joined with v by one of its edges. */
@@ -287,19 +337,22 @@ GMDS_SPECIALISED gmds_status is_answer(const mesh *m, int i, gmds_id c, int l, g
   if (low == 3 && high == 3)
     return share_wall(m, c, x, stack, is);
   if (low == 2 && high == 3)
+#  if GMDS__S_2_3
+    return arrives(m, a, b, hop_2_3, stack, is);
+#  elif GMDS__S_3_2
+    return arrives(m, b, a, hop_3_2, stack, is);
+#  else
     return is_wall(m, a, b, stack, is);
+#  endif
   *is = 1;
   if (low != 1)
     return GMDS_OK;
-  size_t mark = stack->n; /* the nodes of edge a, and a side of b */
+  size_t mark = stack->n; /* the nodes of edge a */
   GMDS_TRY(gmds_ids_push(stack, a));
   GMDS_TRY(hop_1_0(m, stack, mark, mark + 1));
   gmds_id p = stack->data[mark + 1], q = stack->data[mark + 2];
   stack->n = mark;
-  if (high == 3)
-    return has_rim(m, b, p, q, stack, is);
-  *is = has_side(m, b, p, q);
-  return GMDS_OK;
+  return high == 3 ? is_rim(m, a, p, q, b, stack, is) : is_side(m, a, p, q, b, stack, is);
 }
 #endif
 

@@ -63,6 +63,21 @@ run 1 models 'N||F' && says 'no cell'
 # ---- delaunay
 run 0 delaunay grid:35 --json && prints '"checksum":"ddcec7cabf7fc153"' && prints '"cells":2312' && prints '"dimension":2'
 for key in points duplicates dimension cells seconds bytes peak_bytes checksum; do prints "\"$key\":"; done
+
+# in space
+run 0 delaunay grid:5 --dim 3 --json && prints '"checksum":"cadefdadc5a6697d"' && prints '"dimension":3'
+run 0 delaunay random:200:1 --dim 3 --model F1 -o space.vtu --json && prints '"cells":1135' && prints '"checksum":"1177d45ff9316f8c"'
+run 0 info space.vtu && prints tetrahedron
+run 0 delaunay random:200:1 --dim 3 --model 'N|R|R2N|R2R' -o space.msh
+run 0 delaunay circle:300 --dim 3 --json && prints '"dimension":2' && prints '"checksum":"3041764ae6bc7903"'
+run 0 sweep --dim 3 --points random:50:1 && prints '11 of 11 models ok'
+run 0 sweep --dim 3 --points random:20:1 --models paths --csv space.csv && prints '64 of 64 models ok'
+[ "$(wc -l <space.csv)" = 65 ] || fail "the sweep of paths has $(wc -l <space.csv) lines"
+run 0 sweep --dim 3 --points random:20:1 --models 'R1,N|R|R2N,F4' && prints '3 of 3 models ok'
+run 1 sweep --dim 3 --points random:20:1 --models 'N|F|F2N' && says 'cannot answer 3->0'
+run 1 sweep --dim 3 --points random:20:1 --models 'N|R|R2N +R2R' && says 'borrows nothing'
+run 1 sweep --dim 3 --models all && says "'all'"
+run 1 delaunay random:10:1 --dim 3 --model 'N|E|R|E2R|R2N|N2E|E2E|R2E|R2R|N2N' && says 'none of the models'
 run 0 delaunay random:1225:1 --model 'F|N|N2F' --json && prints '"checksum":"714e3f4d1a8d5edb"'
 run 0 delaunay random:50:1 -o square.off && run 0 check square.off --json && prints '"inconsistent_edges":0'
 run 0 delaunay random:50:1 --model 'N|F|N2F' -o unordered.vtk && run 0 check unordered.vtk --json &&
