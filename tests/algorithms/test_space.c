@@ -333,6 +333,12 @@ static void all_models_agree(const gmds_soup *soup, size_t begin, int inject)
   brute_end(&b);
 }
 
+static void run_one(const gmds_soup *soup, size_t k, outcome *o)
+{
+  outcome_begin(o, soup);
+  run(subjects[k], soup, NULL, 0, o);
+}
+
 /* ---- meshes */
 
 static gmds_id add(gmds_soup *s, double x, double y, double z)
@@ -448,6 +454,28 @@ START_TEST(small_meshes_are_as_brute_force_has_them)
 }
 END_TEST
 
+/* Where cells are tangled enough that the mean would turn a corner. */
+START_TEST(smoothing_turns_no_corner)
+{
+  gmds_memory_init(&memory, NULL);
+  for (uint64_t seed = 1; seed <= 6; seed++) {
+    gmds_soup s;
+    outcome o;
+    brute b;
+    if (seed % 2)
+      make_grid(&s, 3, 1, 0.9, seed);
+    else
+      make_tetrahedra(&s, 3, 0.8, seed);
+    brute_begin(&b, &s);
+    run_one(&s, N_TETRAHEDRAL, &o);
+    check_smoothing(&b, &s, &o);
+    outcome_end(&o);
+    brute_end(&b);
+    gmds_soup_clear(&s);
+  }
+}
+END_TEST
+
 START_TEST(a_failing_call_changes_nothing)
 {
   gmds_soup s;
@@ -476,12 +504,6 @@ START_TEST(an_empty_mesh_has_nothing_to_report)
 END_TEST
 
 /* ---- single cells */
-
-static void run_one(const gmds_soup *soup, size_t k, outcome *o)
-{
-  outcome_begin(o, soup);
-  run(subjects[k], soup, NULL, 0, o);
-}
 
 static const double ideal[][8][3] = {
     {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
@@ -678,7 +700,7 @@ START_TEST(real_meshes_are_as_their_census_says)
 }
 END_TEST
 
-RUN_SUITE("algorithms in space", small_meshes_are_as_brute_force_has_them, a_failing_call_changes_nothing,
+RUN_SUITE("algorithms in space", small_meshes_are_as_brute_force_has_them, smoothing_turns_no_corner, a_failing_call_changes_nothing,
           an_empty_mesh_has_nothing_to_report, ideal_cells_measure_one, other_cells_measure_what_formulas_say,
           inverted_and_flat_regions_are_found, faces_of_three_regions_and_turned_ones_are_found,
           real_meshes_are_as_their_census_says)
