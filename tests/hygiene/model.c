@@ -9,12 +9,19 @@
 #  ifdef FACES
 #    define GMDS_FACES FACES
 #  endif
+#  ifdef REGIONS
+#    define GMDS_REGIONS REGIONS
+#  endif
 #  include <gmds/mesh.h>
 #  include <gmds/algorithms/delaunay.h>
 #  include <gmds/algorithms/boundary.h>
 #  include <gmds/algorithms/components.h>
+#  include <gmds/algorithms/manifold.h>
+#  include <gmds/algorithms/quality.h>
+#  include <gmds/algorithms/relations.h>
 #  include <gmds/algorithms/smoothing.h>
 #  include <gmds/end.h>
 #  undef MODEL
 #  undef FACES
+#  undef REGIONS
 #endif
