@@ -3,6 +3,7 @@
 #define GMDS_COMMAND_H
 
 #include "model_entry.h"
+#include <gmds/quality.h>
 #include <gmds/census.h>
 #include <gmds/io.h>
 #include <stdio.h>
@@ -89,6 +90,11 @@ gmds_status write_plot(const char *path, const sweep_row *rows, size_t n, gmds_e
 
 /* Writes a soup, or its picture where the name ends in .svg. */
 gmds_status write_any(const char *path, const gmds_soup *soup, gmds_error *error);
+
+/* The check of a soup of volumes (solid.c), which prints what it finds; a line about quality. GMDS_OK, or another status
+ * after a sentence. */
+gmds_status check_volumes(const char *path, const gmds_soup *soup, int json, gmds_error *error);
+void print_quality(const gmds_quality *quality, const char *size);
 
 extern const verb verb_models, verb_sweep, verb_delaunay, verb_convert, verb_info, verb_check, verb_bench;
 

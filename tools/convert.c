@@ -5,6 +5,8 @@
 #define GMDS_PREFIX full
 #define GMDS_MODEL (DIM3 | N | E | F | N2E | N2F | E2N | E2F | F2N | F2E)
 #include <gmds/mesh.h>
+#include <gmds/algorithms/manifold.h>
+#include <gmds/algorithms/quality.h>
 #include <gmds/end.h>
 
 gmds_status write_any(const char *path, const gmds_soup *soup, gmds_error *error)
@@ -226,73 +228,54 @@ static int run_info(const verb *v, int argc, char **argv)
 /* ---- check */
 
 typedef struct findings {
-  size_t nodes, edges, faces;
-  size_t isolated_nodes, border_edges, crowded_edges, turned_edges;
+  size_t nodes, edges, faces, isolated_nodes;
+  gmds_surface_report report;
+  gmds_quality measured;
 } findings;
 
-/* Whether the two faces of an edge run along it in the same direction, which they do not where they are oriented alike. */
-static gmds_status is_turned(const full_mesh *m, gmds_id e, const gmds_ids *faces, gmds_ids *list, int *turned)
-{
-  int forward = 0;
-  GMDS_TRY(full_get_adj_1_0(m, e, list));
-  gmds_id a = list->data[0], b = list->data[1];
-  for (size_t i = 0; i < 2; i++) {
-    GMDS_TRY(full_get_adj_2_0(m, faces->data[i], list));
-    for (size_t k = 0; k < list->n; k++)
-      forward += list->data[k] == a && list->data[(k + 1) % list->n] == b;
-  }
-  *turned = forward != 1;
-  return GMDS_OK;
-}
-
-static gmds_status look(const full_mesh *m, gmds_ids *faces, gmds_ids *list, findings *f)
+static gmds_status look(full_mesh *m, gmds_ids *list, findings *f)
 {
   *f = (findings){.nodes = full_count_0(m), .edges = full_count_1(m), .faces = full_count_2(m)};
   for (gmds_id v = full_next_0(m, 0); v != GMDS_NONE; v = full_next_0(m, v + 1)) {
     GMDS_TRY(full_get_adj_0_1(m, v, list));
     f->isolated_nodes += list->n == 0;
   }
-  for (gmds_id e = full_next_1(m, 0); e != GMDS_NONE; e = full_next_1(m, e + 1)) {
-    int turned = 0;
-    GMDS_TRY(full_get_adj_1_2(m, e, faces));
-    f->border_edges += faces->n == 1;
-    f->crowded_edges += faces->n > 2;
-    if (faces->n == 2)
-      GMDS_TRY(is_turned(m, e, faces, list, &turned));
-    f->turned_edges += (size_t)turned;
-  }
-  return GMDS_OK;
+  GMDS_TRY(full_manifold(m, &f->report));
+  return full_quality(m, NULL, NULL, &f->measured);
 }
 
 static void print_findings(const char *path, const findings *f, size_t degenerate, int json)
 {
+  const gmds_surface_report *r = &f->report;
   long long euler = (long long)f->nodes - (long long)f->isolated_nodes - (long long)f->edges + (long long)f->faces;
   if (json) {
     printf("{\"file\":");
     json_text(stdout, path);
     printf(",\"nodes\":%zu,\"edges\":%zu,\"faces\":%zu,\"euler\":%lld,\"isolated_nodes\":%zu,\"border_edges\":%zu,"
-           "\"nonmanifold_edges\":%zu,\"inconsistent_edges\":%zu,\"degenerate\":%zu}\n",
-           f->nodes, f->edges, f->faces, euler, f->isolated_nodes, f->border_edges, f->crowded_edges, f->turned_edges,
-           degenerate);
+           "\"nonmanifold_edges\":%zu,\"nonmanifold_nodes\":%zu,\"inconsistent_edges\":%zu,\"orientable\":%s,"
+           "\"degenerate\":%zu,\"area\":%.17g,\"quality\":{\"min\":%.17g,\"mean\":%.17g,\"max\":%.17g}}\n",
+           f->nodes, f->edges, f->faces, euler, f->isolated_nodes, r->border.count, r->crowded.count, r->pinched.count,
+           r->turned.count, r->orientable ? "true" : "false", degenerate, f->measured.size, f->measured.min,
+           f->measured.mean, f->measured.max);
     return;
   }
   printf("%s: %zu nodes, %zu edges, %zu faces, Euler characteristic %lld of what is used\n"
          "  %zu isolated nodes, %zu border edges, %zu edges with more than two faces,\n"
-         "  %zu edges whose faces are oriented against each other, %zu degenerate cells left out\n"
-         "  every relation of N|E|F|N2E|N2F|E2N|E2F|F2N|F2E agrees with the others\n",
-         path, f->nodes, f->edges, f->faces, euler, f->isolated_nodes, f->border_edges, f->crowded_edges,
-         f->turned_edges, degenerate);
+         "  %zu nodes with more than one fan of faces, %zu edges whose faces are oriented against each other,\n"
+         "  %s be oriented, %zu degenerate cells left out\n",
+         path, f->nodes, f->edges, f->faces, euler, f->isolated_nodes, r->border.count, r->crowded.count,
+         r->pinched.count, r->turned.count, r->orientable ? "can" : "cannot", degenerate);
+  print_quality(&f->measured, "area");
+  printf("  every relation of N|E|F|N2E|N2F|E2N|E2F|F2N|F2E agrees with the others\n");
 }
 
 static gmds_status check_soup(const gmds_soup *soup, full_mesh *m, gmds_error *error, findings *f)
 {
-  gmds_ids faces, list;
+  gmds_ids list;
   GMDS_TRY(full_from_soup(m, soup, error));
   GMDS_TRY(full_check(m, &m->memory, error));
-  gmds_ids_init(&faces, &m->memory);
   gmds_ids_init(&list, &m->memory);
-  gmds_status status = look(m, &faces, &list, f);
-  gmds_ids_clear(&faces);
+  gmds_status status = look(m, &list, f);
   gmds_ids_clear(&list);
   return status == GMDS_OK ? status : gmds_fail(error, status, "%s", gmds_status_text(status));
 }
@@ -313,21 +296,17 @@ static int run_check(const verb *v, int argc, char **argv)
   gmds_soup_init(&soup, &memory, 2);
   full_mesh_init(&m, NULL);
   gmds_status status = read_any(path, dim, &error, &soup);
-  if (status == GMDS_OK) {
-    size_t count[4];
-    gmds_soup_count(&soup, count);
-    if (count[3])
-      status =
-          gmds_fail(&error, GMDS_ERR_UNSUPPORTED, "%s: has %zu volumes, this version checks faces", path, count[3]);
-  }
-  if (status == GMDS_OK) {
-    status = check_soup(&soup, &m, &error, &f);
-    if (status == GMDS_OK)
-      print_findings(path, &f, soup.degenerate, json);
-    else
-      code = failed("%s: %s", path, error.text);
-  } else
+  size_t count[4] = {0, 0, 0, 0};
+  if (status != GMDS_OK)
     code = failed("%s", error.text);
+  else {
+    gmds_soup_count(&soup, count);
+    status = count[3] ? check_volumes(path, &soup, json, &error) : check_soup(&soup, &m, &error, &f);
+    if (status != GMDS_OK)
+      code = failed("%s: %s", path, error.text);
+    else if (!count[3])
+      print_findings(path, &f, soup.degenerate, json);
+  }
   full_mesh_clear(&m);
   gmds_soup_clear(&soup);
   return status == GMDS_OK ? DONE : FAILED;

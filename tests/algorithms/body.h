@@ -3,6 +3,24 @@
 #define BODY_CAT(a, b) BODY_CAT_(a, b)
 #define OF(name) BODY_CAT(RUN, name)
 
+/* The nine relations of a small mesh, each against brute force; only that they are built where `compare` is 0. */
+static gmds_status OF(relate)(OF(mesh) *m, int compare)
+{
+  gmds_complex cells;
+  gmds_complex_init(&cells, &m->memory, 0);
+  gmds_status status = GMDS_OK;
+  for (int ij = 0; ij < 9 && status == GMDS_OK; ij++) {
+    gmds_csr csr;
+    gmds_csr_init(&csr, &m->memory);
+    status = OF(relation)(m, ij / 3, ij % 3, &cells, &csr);
+    if (status == GMDS_OK && compare)
+      brute_check_relation(NULL, &cells, ij / 3, ij % 3, &csr);
+    gmds_csr_clear(&csr);
+  }
+  gmds_complex_clear(&cells);
+  return status;
+}
+
 /* Runs the algorithms on the faces of a soup and keeps what they give in `o`, whose memory does not fail; `from` is the
  * allocator of the mesh: with `inject` each call is repeated with one more allocation granted until it succeeds. */
 static void OF(run)(const gmds_soup *soup, int inject, outcome *o)
@@ -28,6 +46,31 @@ static void OF(run)(const gmds_soup *soup, int inject, outcome *o)
     from.until = k;
     status = OF(components)(&m, o->component, &o->count);
     ck_assert(status == GMDS_OK || !o->component[0]);
+    ck_assert_uint_eq(m.memory.live, live);
+  }
+  ck_assert_int_eq(status, GMDS_OK);
+  status = GMDS_ERR_MEMORY;
+  o->ordered = OF(is_ordered);
+  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+    from.until = k;
+    status = OF(manifold)(&m, &o->report);
+    ck_assert(status == GMDS_OK || !o->report.faces);
+    ck_assert_uint_eq(m.memory.live, live);
+  }
+  ck_assert_int_eq(status, GMDS_OK);
+  status = GMDS_ERR_MEMORY;
+  o->values = calloc(2 * soup->n_cells + 2, sizeof *o->values);
+  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+    from.until = k;
+    status = OF(quality)(&m, o->values, o->values + soup->n_cells, &o->summary);
+    ck_assert(status == GMDS_OK || !o->summary.cells);
+    ck_assert_uint_eq(m.memory.live, live);
+  }
+  ck_assert_int_eq(status, GMDS_OK);
+  status = GMDS_ERR_MEMORY;
+  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+    from.until = k;
+    status = OF(relate)(&m, soup->n_cells < 60 && !inject);
     ck_assert_uint_eq(m.memory.live, live);
   }
   ck_assert_int_eq(status, GMDS_OK);

@@ -5,7 +5,11 @@
 #include <gmds/mesh.h>
 #include <gmds/algorithms/boundary.h>
 #include <gmds/algorithms/components.h>
+#include <gmds/algorithms/manifold.h>
+#include <gmds/algorithms/quality.h>
+#include <gmds/algorithms/relations.h>
 #include <gmds/algorithms/smoothing.h>
+enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
 #define RUN t_nodes
 #include "algorithms/body.h"
@@ -16,7 +20,11 @@
 #include <gmds/mesh.h>
 #include <gmds/algorithms/boundary.h>
 #include <gmds/algorithms/components.h>
+#include <gmds/algorithms/manifold.h>
+#include <gmds/algorithms/quality.h>
+#include <gmds/algorithms/relations.h>
 #include <gmds/algorithms/smoothing.h>
+enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
 #define RUN t_around
 #include "algorithms/body.h"
@@ -27,7 +35,11 @@
 #include <gmds/mesh.h>
 #include <gmds/algorithms/boundary.h>
 #include <gmds/algorithms/components.h>
+#include <gmds/algorithms/manifold.h>
+#include <gmds/algorithms/quality.h>
+#include <gmds/algorithms/relations.h>
 #include <gmds/algorithms/smoothing.h>
+enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
 #define RUN t_beyond
 #include "algorithms/body.h"
@@ -38,7 +50,11 @@
 #include <gmds/mesh.h>
 #include <gmds/algorithms/boundary.h>
 #include <gmds/algorithms/components.h>
+#include <gmds/algorithms/manifold.h>
+#include <gmds/algorithms/quality.h>
+#include <gmds/algorithms/relations.h>
 #include <gmds/algorithms/smoothing.h>
+enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
 #define RUN t_loose
 #include "algorithms/body.h"
@@ -49,7 +65,11 @@
 #include <gmds/mesh.h>
 #include <gmds/algorithms/boundary.h>
 #include <gmds/algorithms/components.h>
+#include <gmds/algorithms/manifold.h>
+#include <gmds/algorithms/quality.h>
+#include <gmds/algorithms/relations.h>
 #include <gmds/algorithms/smoothing.h>
+enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
 #define RUN t_edges
 #include "algorithms/body.h"
@@ -60,7 +80,11 @@
 #include <gmds/mesh.h>
 #include <gmds/algorithms/boundary.h>
 #include <gmds/algorithms/components.h>
+#include <gmds/algorithms/manifold.h>
+#include <gmds/algorithms/quality.h>
+#include <gmds/algorithms/relations.h>
 #include <gmds/algorithms/smoothing.h>
+enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
 #define RUN t_order
 #include "algorithms/body.h"
@@ -70,7 +94,11 @@
 #include <gmds/mesh.h>
 #include <gmds/algorithms/boundary.h>
 #include <gmds/algorithms/components.h>
+#include <gmds/algorithms/manifold.h>
+#include <gmds/algorithms/quality.h>
+#include <gmds/algorithms/relations.h>
 #include <gmds/algorithms/smoothing.h>
+enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
 #define RUN nodes
 #include "algorithms/body.h"
@@ -80,7 +108,11 @@
 #include <gmds/mesh.h>
 #include <gmds/algorithms/boundary.h>
 #include <gmds/algorithms/components.h>
+#include <gmds/algorithms/manifold.h>
+#include <gmds/algorithms/quality.h>
+#include <gmds/algorithms/relations.h>
 #include <gmds/algorithms/smoothing.h>
+enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
 #define RUN beyond
 #include "algorithms/body.h"
@@ -90,7 +122,11 @@
 #include <gmds/mesh.h>
 #include <gmds/algorithms/boundary.h>
 #include <gmds/algorithms/components.h>
+#include <gmds/algorithms/manifold.h>
+#include <gmds/algorithms/quality.h>
+#include <gmds/algorithms/relations.h>
 #include <gmds/algorithms/smoothing.h>
+enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
 #define RUN order
 #include "algorithms/body.h"
@@ -100,7 +136,11 @@
 #include <gmds/mesh.h>
 #include <gmds/algorithms/boundary.h>
 #include <gmds/algorithms/components.h>
+#include <gmds/algorithms/manifold.h>
+#include <gmds/algorithms/quality.h>
+#include <gmds/algorithms/relations.h>
 #include <gmds/algorithms/smoothing.h>
+enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
 #define RUN both
 #include "algorithms/body.h"
@@ -110,7 +150,11 @@
 #include <gmds/mesh.h>
 #include <gmds/algorithms/boundary.h>
 #include <gmds/algorithms/components.h>
+#include <gmds/algorithms/manifold.h>
+#include <gmds/algorithms/quality.h>
+#include <gmds/algorithms/relations.h>
 #include <gmds/algorithms/smoothing.h>
+enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
 #define RUN whole
 #include "algorithms/body.h"

@@ -1,9 +1,13 @@
 /* Boundary, components and smoothing in every way that a model can have them, against brute force. */
+#include "algorithms/brute.h"
 #include "harness.h"
 #include <gmds/chains.h>
 #include <gmds/io.h>
+#include <gmds/manifold.h>
 #include <gmds/predicates.h>
+#include <gmds/quality.h>
 #include <limits.h>
+#include <math.h>
 
 enum { SWEEPS = 3 };
 
@@ -13,6 +17,10 @@ typedef struct outcome {
   size_t open, count, moved;
   gmds_id *component;
   double *points;
+  int ordered;
+  gmds_surface_report report;
+  double *values; /* and the sizes behind them */
+  gmds_quality summary;
 } outcome;
 
 #include "algorithms/models.h"
@@ -126,6 +134,113 @@ static void check_components(const gmds_soup *s, const outcome *o)
   free(sides);
 }
 
+/* ---- manifolds, the slow way */
+
+static int has_node(const gmds_soup *s, size_t f, gmds_id v)
+{
+  for (size_t k = s->begin[f]; k < s->begin[f + 1]; k++)
+    if (s->corners[k] == v)
+      return 1;
+  return 0;
+}
+
+/* How many fans the faces at v make: of the sides at v each joins all of its faces. */
+static size_t fans_at(const gmds_soup *s, const side *sides, size_t n, gmds_id v)
+{
+  size_t fans = 0;
+  gmds_id *parent = malloc((s->n_cells + 1) * sizeof *parent);
+  for (size_t f = 0; f < s->n_cells; f++)
+    parent[f] = (gmds_id)f;
+  for (size_t k = 1; k < n; k++)
+    if (sides[k].a == sides[k - 1].a && sides[k].b == sides[k - 1].b && (sides[k].a == v || sides[k].b == v)) {
+      gmds_id p = root(parent, sides[k].face), q = root(parent, sides[k - 1].face);
+      parent[p > q ? p : q] = p < q ? p : q;
+    }
+  for (size_t f = 0; f < s->n_cells; f++)
+    fans += has_node(s, f, v) && parent[f] == f;
+  free(parent);
+  return fans;
+}
+
+static void expect_finding(const gmds_finding *found, const gmds_finding *expected)
+{
+  ck_assert_uint_eq(found->count, expected->count);
+  ck_assert_uint_eq(found->first[0], expected->first[0]);
+  ck_assert_uint_eq(found->first[1], expected->first[1]);
+}
+
+static void note(gmds_finding *f, gmds_id a, gmds_id b)
+{
+  if (!f->count++) {
+    f->first[0] = a;
+    f->first[1] = b;
+  }
+}
+
+static void check_manifold(const gmds_soup *s, const outcome *o)
+{
+  const gmds_finding none = {0, {GMDS_NONE, GMDS_NONE}};
+  gmds_finding border = none, crowded = none, turned = none, pinched = none;
+  size_t n = 0, n_sides = 0, used = 0;
+  side *sides = sides_of(s, &n);
+  for (size_t k = 0, end; k < n; k = end) {
+    end = group_end(sides, n, k);
+    n_sides++;
+    if (end != k + 2)
+      note(end == k + 1 ? &border : &crowded, sides[k].a, sides[k].b);
+    else if (sides[k].from == sides[k + 1].from && o->ordered)
+      note(&turned, sides[k].a, sides[k].b);
+  }
+  for (gmds_id v = 0; v < s->n_points; v++) {
+    const size_t fans = fans_at(s, sides, n, v);
+    used += fans > 0;
+    if (fans > 1)
+      note(&pinched, v, GMDS_NONE);
+  }
+  expect_finding(&o->report.border, &border);
+  expect_finding(&o->report.crowded, &crowded);
+  expect_finding(&o->report.turned, &turned);
+  expect_finding(&o->report.pinched, &pinched);
+  ck_assert_uint_eq(o->report.faces, s->n_cells);
+  ck_assert_uint_eq(o->report.sides, n_sides);
+  ck_assert_uint_eq(o->report.nodes, used);
+  ck_assert_int_eq(o->report.manifold, !crowded.count && !pinched.count);
+  ck_assert_int_eq(o->report.closed, o->report.manifold && !border.count);
+  free(sides);
+}
+
+/* ---- quality, by other formulas: through the angles, sides and heights of a face */
+
+static double distance(const gmds_soup *s, gmds_id a, gmds_id b)
+{
+  return hypot(s->points[2 * a] - s->points[2 * b], s->points[2 * a + 1] - s->points[2 * b + 1]);
+}
+
+static void check_quality(const gmds_soup *s, const outcome *o)
+{
+  for (size_t f = 0; f < s->n_cells; f++) {
+    const gmds_id *v = s->corners + s->begin[f];
+    const size_t n = s->begin[f + 1] - s->begin[f];
+    double area = 0, around = 0, squares = 0, least = 1, value = 0;
+    for (size_t k = 0; k < n; k++) {
+      const double *p = s->points + 2 * v[k], *q = s->points + 2 * v[(k + 1) % n], *r = s->points + 2 * v[(k + n - 1) % n];
+      const double angle = atan2(r[1] - p[1], r[0] - p[0]) - atan2(q[1] - p[1], q[0] - p[0]);
+      area += (p[0] * q[1] - p[1] * q[0]) / 2;
+      around += distance(s, v[k], v[(k + 1) % n]);
+      squares += pow(distance(s, v[k], v[(k + 1) % n]), 2);
+      least = sin(angle) < least ? sin(angle) : least;
+    }
+    const double whole = acos(-1) / (double)n;
+    value = n == 3 ? 4 * sqrt(3) * area / squares : n == 4 ? least : 4 * (double)n * tan(whole) * area / (around * around);
+    if (!o->ordered) {
+      value = fabs(value);
+      area = fabs(area);
+    }
+    ck_assert_double_eq_tol(o->values[f], value, 1e-12);
+    ck_assert_double_eq_tol(o->values[s->n_cells + f], area, 1e-12);
+  }
+}
+
 /* ---- smoothing, the slow way */
 
 static int turn_of(const gmds_soup *s, const double *xy, size_t f, size_t k)
@@ -224,6 +339,7 @@ static void outcome_end(outcome *o)
   ck_assert_uint_eq(o->memory.live, 0);
   free(o->component);
   free(o->points);
+  free(o->values);
 }
 
 static void all_models_agree(const gmds_soup *s, int triangles, int inject, int small)
@@ -237,8 +353,11 @@ static void all_models_agree(const gmds_soup *s, int triangles, int inject, int 
     check_boundary(s, o);
     check_components(s, o);
     check_turns(s, o);
-    if (small)
+    if (small) {
+      check_manifold(s, o);
+      check_quality(s, o);
       check_smoothing(s, o);
+    }
     ck_assert_int_eq(memcmp(first.points, o->points, 2 * s->n_points * sizeof(double)), 0);
     ck_assert_uint_eq(first.moved, o->moved);
     ck_assert_uint_eq(first.chains.begin[first.chains.n], o->chains.begin[o->chains.n]);
@@ -307,6 +426,64 @@ START_TEST(an_empty_mesh_has_no_boundary_and_no_component)
 }
 END_TEST
 
+/* Any three of a few nodes: sides of many faces, turned either way; in models that hold them. */
+START_TEST(what_is_no_manifold_is_reported)
+{
+  gmds_memory_init(&memory, NULL);
+  for (uint64_t seed = 1; seed <= 20; seed++) {
+    static const size_t holding[] = {0, 1, 4, 6, 8, 9};
+    uint64_t state = seed;
+    gmds_soup s;
+    gmds_soup_init(&s, &memory, 2);
+    for (int p = 0; p < 9; p++)
+      add(&s, random_unit(&state), random_unit(&state));
+    for (int f = 0; f < 8; f++) {
+      const gmds_id a = (gmds_id)random_below(&state, 3), v[3] = {a, a + 1 + (gmds_id)random_below(&state, 2),
+                                                                  a + 3 + (gmds_id)random_below(&state, 4)};
+      const gmds_id w[3] = {v[1], v[0], v[2]};
+      ck_assert_int_eq(gmds_soup_add_cell(&s, GMDS_TRIANGLE, 3, random_below(&state, 2) ? v : w), GMDS_OK);
+    }
+    for (size_t k = 0; k < sizeof holding / sizeof *holding; k++) {
+      outcome o;
+      outcome_begin(&o);
+      runners[holding[k]](&s, 0, &o);
+      check_manifold(&s, &o);
+      check_quality(&s, &o);
+      outcome_end(&o);
+    }
+    gmds_soup_clear(&s);
+  }
+}
+END_TEST
+
+/* n triangles in a band, closed with a half turn or without. */
+START_TEST(a_band_with_a_half_turn_cannot_be_oriented)
+{
+  gmds_memory_init(&memory, NULL);
+  for (int half = 0; half < 2; half++) {
+    const gmds_id n = 9 + (gmds_id)!half;
+    gmds_soup s;
+    gmds_soup_init(&s, &memory, 2);
+    for (gmds_id p = 0; p < n; p++)
+      add(&s, cos(p), sin(p));
+    for (gmds_id f = 0; f < n; f++) {
+      const gmds_id v[3] = {f, (f + 1) % n, (f + 2) % n};
+      ck_assert_int_eq(gmds_soup_add_cell(&s, GMDS_TRIANGLE, 3, v), GMDS_OK);
+    }
+    for (size_t k = 0; k < N_MODELS; k++) {
+      outcome o;
+      outcome_begin(&o);
+      runners[k](&s, 0, &o);
+      check_manifold(&s, &o);
+      ck_assert_int_eq(o.report.orientable, !half);
+      ck_assert(o.report.manifold && !o.report.closed);
+      outcome_end(&o);
+    }
+    gmds_soup_clear(&s);
+  }
+}
+END_TEST
+
 START_TEST(a_failing_call_changes_nothing)
 {
   gmds_memory_init(&memory, NULL);
@@ -363,5 +540,6 @@ START_TEST(real_meshes_have_their_boundaries_and_components)
 }
 END_TEST
 
-RUN_SUITE("algorithms", small_meshes_are_as_brute_force_has_them, an_empty_mesh_has_no_boundary_and_no_component,
+RUN_SUITE("algorithms", small_meshes_are_as_brute_force_has_them, what_is_no_manifold_is_reported,
+          a_band_with_a_half_turn_cannot_be_oriented, an_empty_mesh_has_no_boundary_and_no_component,
           a_failing_call_changes_nothing, real_meshes_have_their_boundaries_and_components)

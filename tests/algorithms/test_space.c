@@ -82,7 +82,8 @@ static gmds_status relate_all(const subject *s, void *m, const brute *b)
     gmds_csr csr;
     gmds_csr_init(&csr, s->memory(m));
     status = s->relate(m, ij / 4, ij % 4, &cells, &csr);
-    ck_assert(status == GMDS_OK || !csr.begin);
+    if (status != GMDS_OK && csr.begin)
+      ck_abort_msg("%s: a relation is left behind", s->name);
     if (status == GMDS_OK && b)
       brute_check_relation(b, &cells, ij / 4, ij % 4, &csr);
     gmds_csr_clear(&csr);
@@ -130,14 +131,16 @@ static void run(const subject *s, const gmds_soup *soup, const brute *b, int inj
   const size_t live = from.live;
   for (int which = 0; which < N_CALLS; which++) {
     gmds_status status = GMDS_ERR_MEMORY;
+    int untouched = 1;
     outcome own;
     outcome_begin(&own, soup);
     for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
       from.until = k;
       status = call(s, m, which, b, inject ? &own : o);
-      ck_assert(status == GMDS_OK || is_untouched(s, m, soup, &own));
-      ck_assert_uint_eq(from.live, live);
+      untouched &= status == GMDS_OK || is_untouched(s, m, soup, &own);
+      untouched &= from.live == live || !inject;
     }
+    ck_assert_msg(untouched, "%s: call %d leaves something behind", s->name, which);
     ck_assert_int_eq(status, GMDS_OK);
     outcome_end(&own);
   }
@@ -314,12 +317,13 @@ static void all_models_agree(const gmds_soup *soup, size_t begin, int inject)
   for (size_t k = begin; k < N_SUBJECTS; k++) {
     outcome *o = k == begin ? &first : &other;
     outcome_begin(o, soup);
-    run(subjects[k], soup, &b, inject, o);
+    run(subjects[k], soup, inject || b.n_regions > 60 ? NULL : &b, inject, o);
     if (!inject) {
       check_boundary(&b, subjects[k], o);
       check_components(&b, o);
       check_manifold(&b, o);
-      check_smoothing(&b, soup, o);
+      if (k == begin)
+        check_smoothing(&b, soup, o);
       models_agree(&first, o, soup->n_cells);
     }
     if (k != begin)
@@ -327,6 +331,12 @@ static void all_models_agree(const gmds_soup *soup, size_t begin, int inject)
   }
   outcome_end(&first);
   brute_end(&b);
+}
+
+static void run_one(const gmds_soup *soup, size_t k, outcome *o)
+{
+  outcome_begin(o, soup);
+  run(subjects[k], soup, NULL, 0, o);
 }
 
 /* ---- meshes */
@@ -387,7 +397,7 @@ static void add_cell(gmds_soup *s, const gmds_id *v, int kind, uint64_t *seed)
     add_region(s, GMDS_HEXAHEDRON, 8, v);
 }
 
-/* n cubed cells with some left out, shaken; kind 0: hexahedra, 1: all types, 2: polyhedra too. */
+/* n cubed cells, shaken; some are left out where that is little; kind 0: hexahedra, 1: all types, 2: polyhedra too. */
 static void make_grid(gmds_soup *s, gmds_id n, int kind, double shake, uint64_t seed)
 {
   gmds_soup_init(s, &memory, 3);
@@ -397,7 +407,7 @@ static void make_grid(gmds_soup *s, gmds_id n, int kind, double shake, uint64_t 
   for (gmds_id c = 0; c < n * n * n; c++) {
     const gmds_id up = (n + 1) * (n + 1), a = c / n / n * up + c / n % n * (n + 1) + c % n, b = a + n + 1;
     const gmds_id v[8] = {a, a + 1, b + 1, b, a + up, a + 1 + up, b + 1 + up, b + up};
-    if (random_below(&seed, 4))
+    if (shake > 0.5 || random_below(&seed, 4))
       add_cell(s, v, kind, &seed);
   }
 }
@@ -416,7 +426,7 @@ static void make_tetrahedra(gmds_soup *s, gmds_id n, double shake, uint64_t seed
       gmds_id v[4];
       for (size_t i = 0; i < 4; i++)
         v[i] = hexahedra.corners[hexahedra.begin[c] + paths[k][i]];
-      if (random_below(&seed, 9))
+      if (shake > 0.5 || random_below(&seed, 9))
         add_region(s, GMDS_TETRAHEDRON, 4, v);
     }
   gmds_soup_clear(&hexahedra);
@@ -430,7 +440,7 @@ static size_t begin_of_kind(int kind)
 START_TEST(small_meshes_are_as_brute_force_has_them)
 {
   gmds_memory_init(&memory, NULL);
-  for (uint64_t seed = 1; seed <= 4; seed++) {
+  for (uint64_t seed = 1; seed <= 2; seed++) {
     gmds_soup s;
     for (int kind = 0; kind < 3; kind++) {
       make_grid(&s, 3, kind, 0.2, seed);
@@ -439,6 +449,30 @@ START_TEST(small_meshes_are_as_brute_force_has_them)
     }
     make_tetrahedra(&s, 2, 0.15, seed);
     all_models_agree(&s, 0, 0);
+    gmds_soup_clear(&s);
+  }
+}
+END_TEST
+
+/* Where cells are tangled enough that the mean would turn a corner. */
+START_TEST(smoothing_turns_no_corner)
+{
+  gmds_memory_init(&memory, NULL);
+  for (uint64_t seed = 1; seed <= 6; seed++) {
+    gmds_soup s;
+    outcome o;
+    brute b;
+    if (seed % 2)
+      make_grid(&s, 3, 1, 0.9, seed);
+    else
+      make_tetrahedra(&s, 3, 0.8, seed);
+    brute_begin(&b, &s);
+    run_one(&s, N_TETRAHEDRAL, &o);
+    ck_assert(keeps(&b, s.points, o.points) && memcmp(s.points, o.points, 3 * s.n_points * sizeof(double)));
+    if (seed < 4)
+      check_smoothing(&b, &s, &o);
+    outcome_end(&o);
+    brute_end(&b);
     gmds_soup_clear(&s);
   }
 }
@@ -471,5 +505,204 @@ START_TEST(an_empty_mesh_has_nothing_to_report)
 }
 END_TEST
 
-RUN_SUITE("algorithms in space", small_meshes_are_as_brute_force_has_them, a_failing_call_changes_nothing,
-          an_empty_mesh_has_nothing_to_report)
+/* ---- single cells */
+
+static const double ideal[][8][3] = {
+    {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
+    {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+    {{0, 0, 0}, {1, 0, 0}, {0.5, 0.86602540378443865, 0}, {0, 0, 1}, {1, 0, 1}, {0.5, 0.86602540378443865, 1}},
+    {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+
+static void make_ideal(gmds_soup *s, gmds_cell_type type)
+{
+  static const gmds_id order[] = {0, 1, 2, 3, 4, 5, 6, 7}, turned[] = {0, 2, 1, 3};
+  const size_t n = gmds_shape_of(type)->nodes;
+  gmds_soup_init(s, &memory, 3);
+  for (size_t v = 0; v < n; v++)
+    add(s, ideal[type - GMDS_TETRAHEDRON][v][0], ideal[type - GMDS_TETRAHEDRON][v][1],
+        ideal[type - GMDS_TETRAHEDRON][v][2]);
+  add_region(s, type, n, type == GMDS_TETRAHEDRON ? turned : order);
+}
+
+START_TEST(ideal_cells_measure_one)
+{
+  static const double volumes[] = {8.0 / 3, 2.0 / 3, 0.43301270189221932, 1};
+  gmds_memory_init(&memory, NULL);
+  for (int type = GMDS_TETRAHEDRON; type <= GMDS_HEXAHEDRON; type++)
+    for (size_t k = N_TETRAHEDRAL; k < N_SUBJECTS; k++) {
+      gmds_soup s;
+      outcome o;
+      make_ideal(&s, (gmds_cell_type)type);
+      run_one(&s, k, &o);
+      ck_assert_double_eq_tol(o.values[0], 1, 1e-14);
+      ck_assert_double_eq_tol(o.sizes[0], volumes[type - GMDS_TETRAHEDRON], 1e-14);
+      ck_assert_uint_eq(o.summary.bins[9] + o.summary.bins[8], 1);
+      ck_assert_uint_eq(o.report.inverted.count + o.report.degenerate.count, 0);
+      ck_assert(o.report.manifold && o.report.surface.closed && o.report.surface.orientable);
+      outcome_end(&o);
+      gmds_soup_clear(&s);
+    }
+}
+END_TEST
+
+/* A tetrahedron of edges 1, 1, 1, sqrt(2), ... at the corner of a cube: 12 (1/2)^(2/3) / 9; a cube as a polyhedron. */
+START_TEST(other_cells_measure_what_formulas_say)
+{
+  gmds_soup s;
+  outcome o;
+  uint64_t seed = 5;
+  const gmds_id v[] = {0, 1, 3, 4};
+  gmds_memory_init(&memory, NULL);
+  for (int round = 0; round < 20; round++) {
+    make_ideal(&s, GMDS_HEXAHEDRON);
+    const gmds_id all[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    s.n_cells = 0;
+    add_as_polyhedron(&s, all, &seed);
+    run_one(&s, WITH_POLYHEDRA, &o);
+    ck_assert_double_eq_tol(o.values[0], 3.14159265358979323846 / 6, 1e-14);
+    ck_assert_double_eq_tol(o.sizes[0], 1, 1e-14);
+    ck_assert(o.report.surface.closed && !o.report.surface.turned.count);
+    outcome_end(&o);
+    gmds_soup_clear(&s);
+  }
+  make_ideal(&s, GMDS_HEXAHEDRON);
+  s.n_cells = 0;
+  add_region(&s, GMDS_TETRAHEDRON, 4, v);
+  run_one(&s, 0, &o);
+  ck_assert_double_eq_tol(o.values[0], 12 * pow(0.5, 2.0 / 3) / 9, 1e-14);
+  ck_assert_double_eq_tol(o.sizes[0], 1.0 / 6, 1e-14);
+  outcome_end(&o);
+  gmds_soup_clear(&s);
+}
+END_TEST
+
+START_TEST(inverted_and_flat_regions_are_found)
+{
+  gmds_memory_init(&memory, NULL);
+  for (int type = GMDS_TETRAHEDRON; type <= GMDS_HEXAHEDRON; type++)
+    for (int flat = 0; flat < 2; flat++) {
+      const double pushed[4][3] = {{-3, -3, -3}, {0, 0, -1}, {0, 0, -1}, {0, 0, -1}};
+      const double laid[4][3] = {{-1, -1, -1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+      const gmds_id v[4] = {0, 4, 3, 4};
+      gmds_soup s;
+      outcome o;
+      make_ideal(&s, (gmds_cell_type)type);
+      const int t = type - GMDS_TETRAHEDRON;
+      memcpy(s.points + 3 * v[t], flat ? laid[t] : pushed[t], sizeof laid[t]);
+      if (flat && type == GMDS_TETRAHEDRON)
+        memcpy(s.points, s.points + 3, sizeof laid[t]);
+      run_one(&s, N_TETRAHEDRAL, &o);
+      ck_assert_uint_eq(o.report.inverted.count, flat ? 0 : 1);
+      ck_assert_uint_eq(o.report.degenerate.count, flat ? 1 : 0);
+      ck_assert(flat ? fabs(o.values[0]) < 1e-15 : o.values[0] < -0.1);
+      outcome_end(&o);
+      gmds_soup_clear(&s);
+    }
+}
+END_TEST
+
+/* Three tetrahedra on one face, one of them listed the other way round, and one that only has an edge of it. */
+START_TEST(faces_of_three_regions_and_turned_ones_are_found)
+{
+  static const gmds_id v[4][4] = {{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 2, 1, 5}, {0, 1, 6, 7}};
+  static const double x[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, -1}, {0, -1, 0}, {0, 0, -2}};
+  for (int turned = 0; turned < 2; turned++)
+    for (size_t k = 0; k < N_SUBJECTS; k++) {
+      gmds_soup s;
+      outcome o;
+      brute b;
+      if (k == 1 || k == 5 || k == 6 || k == 9 || (turned && !subjects[k]->ordered))
+        continue; /* R2R holds two */
+      gmds_memory_init(&memory, NULL);
+      gmds_soup_init(&s, &memory, 3);
+      for (size_t p = 0; p < 8; p++)
+        add(&s, x[p][0], x[p][1], x[p][2]);
+      for (size_t r = 0; r < 4; r++) {
+        gmds_id w[4];
+        memcpy(w, v[r], sizeof w);
+        if (turned && r == 1) {
+          w[1] = v[r][2];
+          w[2] = v[r][1];
+        }
+        add_region(&s, GMDS_TETRAHEDRON, 4, w);
+      }
+      run_one(&s, k, &o);
+      brute_begin(&b, &s);
+      if (!turned)
+        check_manifold(&b, &o);
+      check_finding(&o.report.crowded, 1, 0, GMDS_NONE);
+      check_finding(&o.report.pinched_edges, 1, 0, 1);
+      check_finding(&o.report.inverted, (size_t)turned, turned ? 1 : GMDS_NONE, GMDS_NONE);
+      ck_assert(!o.report.manifold);
+      brute_end(&b);
+      outcome_end(&o);
+      gmds_soup_clear(&s);
+    }
+}
+END_TEST
+
+/* ---- files */
+
+static void load(const char *folder, const char *file, gmds_soup *s)
+{
+  char command[1200], name[80];
+  const char *base = strrchr(file, '/') + 1, *packed = strstr(base, ".xz");
+  const int length = packed ? (int)(packed - base) : (int)strlen(base);
+  gmds_soup all;
+  gmds_error error = {.status = GMDS_OK};
+  snprintf(name, sizeof name, "space_%.*s", length, base);
+  snprintf(command, sizeof command, packed ? "xz -dc '%s/%s' >%s" : "cp '%s/%s' %s", folder, file, name);
+  ck_assert_int_eq(system(command), 0);
+  gmds_soup_init(&all, &memory, 3);
+  gmds_soup_init(s, &memory, 3);
+  ck_assert_msg(gmds_read_soup(name, 0, &error, &all) == GMDS_OK, "%s", error.text);
+  remove(name);
+  for (size_t p = 0; p < all.n_points; p++)
+    add(s, all.points[3 * p], all.points[3 * p + 1], all.points[3 * p + 2]);
+  for (size_t c = 0; c < all.n_cells; c++)
+    if (gmds_cell_type_dimension((gmds_cell_type)all.types[c]) == 3)
+      add_region(s, (gmds_cell_type)all.types[c], all.begin[c + 1] - all.begin[c], all.corners + all.begin[c]);
+  gmds_soup_clear(&all);
+}
+
+START_TEST(real_meshes_are_as_their_census_says)
+{
+  static const struct {
+    const char *file;
+    size_t nodes, edges, faces, regions, border;
+    long surface; /* the Euler characteristic of the boundary */
+    int tetrahedra;
+  } files[] = {{"volumes/gmds_tet_in_box.vtk", 29, 113, 146, 61, 48, 2, 1},
+               {"volumes/gmds_B80.vtk.xz", 749, 4111, 6195, 2832, 1062, 2, 1},
+               {"volumes/mfem_homology.asc.v22.msh.xz", 1961, 10821, 16252, 7392, 2936, 0, 1},
+               {"volumes/polyfem_microstructure_P1.msh.xz", 1585, 8890, 13709, 6414, 1762, -20, 1},
+               {"volumes/hexsmoothing_mixedElementMesh.vtk.xz", 1201, 3916, 4344, 1628, 697, 2, 0},
+               {"volumes/cinolib_rockerarm_hex.mesh.xz", 12751, 35989, 33838, 10600, 4076, 0, 0}};
+  const char *folder = data_folder("real meshes of volumes");
+  for (size_t f = 0; folder && f < sizeof files / sizeof *files; f++)
+    for (size_t k = files[f].tetrahedra ? 0 : N_TETRAHEDRAL; k < N_SUBJECTS; k++) {
+      gmds_soup s;
+      outcome o;
+      gmds_memory_init(&memory, NULL);
+      load(folder, files[f].file, &s);
+      run_one(&s, k, &o);
+      const gmds_volume_report *r = &o.report;
+      ck_assert_uint_eq(r->nodes, files[f].nodes);
+      ck_assert_uint_eq(r->edges, files[f].edges);
+      ck_assert_uint_eq(r->faces, files[f].faces);
+      ck_assert_uint_eq(r->regions, files[f].regions);
+      ck_assert_uint_eq(r->border.count, files[f].border);
+      ck_assert_uint_eq(o.faces.n, files[f].border);
+      ck_assert_int_eq((long)r->surface.nodes - (long)r->surface.sides + (long)r->surface.faces, files[f].surface);
+      ck_assert(r->manifold && r->surface.closed && r->surface.orientable && !r->surface.turned.count);
+      ck_assert_uint_eq(o.count, 1);
+      outcome_end(&o);
+      gmds_soup_clear(&s);
+    }
+}
+END_TEST
+
+RUN_SUITE("algorithms in space", small_meshes_are_as_brute_force_has_them, smoothing_turns_no_corner, a_failing_call_changes_nothing,
+          an_empty_mesh_has_nothing_to_report, ideal_cells_measure_one, other_cells_measure_what_formulas_say,
+          inverted_and_flat_regions_are_found, faces_of_three_regions_and_turned_ones_are_found,
+          real_meshes_are_as_their_census_says)

@@ -14,11 +14,12 @@
 #  endif
 #  include <gmds/mesh.h>
 #  if GMDS_TOP == 2 || defined TRIANGULATES
-#    include <gmds/algorithms/delaunay.h>
-#  endif
-#  if GMDS_TOP == 2
 #    include <gmds/algorithms/boundary.h>
 #    include <gmds/algorithms/components.h>
+#    include <gmds/algorithms/delaunay.h>
+#    include <gmds/algorithms/manifold.h>
+#    include <gmds/algorithms/quality.h>
+#    include <gmds/algorithms/relations.h>
 #    include <gmds/algorithms/smoothing.h>
 #  endif
 #  include <gmds/end.h>

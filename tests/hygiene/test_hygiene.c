@@ -22,6 +22,9 @@
 #include <gmds/algorithms/delaunay.h>
 #include <gmds/algorithms/boundary.h>
 #include <gmds/algorithms/components.h>
+#include <gmds/algorithms/manifold.h>
+#include <gmds/algorithms/quality.h>
+#include <gmds/algorithms/relations.h>
 #include <gmds/algorithms/smoothing.h>
 #include <gmds/end.h>
 
