@@ -1,5 +1,6 @@
 /* Takes back the short names and what the templates of the model defined. */
 #undef across
+#undef across_all
 #undef add_attribute
 #undef add_edge
 #undef add_face
@@ -138,7 +139,6 @@
 #undef lacks_one
 #undef link_around_nodes
 #undef link_beside
-#undef link_by_table
 #undef link_edge
 #undef link_face
 #undef link_neighbours
@@ -180,6 +180,7 @@
 #undef plan_shape
 #undef plan_sides
 #undef point
+#undef prefetch_3
 #undef prepare_plan
 #undef region_of
 #undef region_type
@@ -248,7 +249,8 @@
 #undef view_3_2
 #undef view_3_3
 #undef wall_nodes
-#undef write_star
+#undef write_small_star
+#undef write_tetrahedron
 #undef GMDS_ADDS_FACES
 #undef GMDS_ADDS_REGIONS
 #undef GMDS_LISTS_CELLS
