@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Delaunay triangulation of the plane: the generic text in N|F|F2N|F2F, the same algorithm written by hand, two threads,
-and CGAL, in turn, each a process of its own, on the same points. Prints one JSON object a point set; asserts nothing but
-that all give the same triangles.
+"""Delaunay triangulation: the generic text in N|F|F2N|F2F (in space N|R|R2N|R2R), the same algorithm written by hand, in
+the plane two threads, and CGAL, in turn, each a process of its own, on the same points. Prints one JSON object a point
+set; asserts nothing but that all give the same cells.
 
-    bench/delaunay.py [--build DIR] [--peers DIR] [--runs N] SPEC ...
+    bench/delaunay.py [--dim 2|3] [--build DIR] [--peers DIR] [--runs N] SPEC ...
 
-SPEC: random:N:SEED, grid:N, circle:N, clusters:N:SEED, or a text file of points, of which the first two
+SPEC: random:N:SEED, grid:N, circle:N, clusters:N:SEED, or a text file of points, of which the first two or three
 coordinates are taken (may be .xz)."""
 import argparse
 import array
@@ -18,32 +18,36 @@ import tempfile
 from alternate import alternate, ratios, summary
 
 
-def shared_points(spec, gmds, folder):
+def shared_points(spec, dim, gmds, folder):
     """The name under which every program finds the points: made-up ones by recipe, others as a file of raw doubles."""
     if spec.split(":")[0] in ("random", "grid"):
         return spec
     raw = os.path.join(folder, "points.f64")
     if spec.split(":")[0] in ("circle", "clusters"):
-        subprocess.run([gmds, "convert", spec, raw], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        subprocess.run([gmds, "convert", spec, raw, "--dim", str(dim)], check=True, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL)
         return raw
     with (lzma.open if spec.endswith(".xz") else open)(spec, "rt") as text, open(raw, "wb") as out:
         for line in text:
             numbers = line.split("#")[0].replace(",", " ").split()
             if numbers:
-                array.array("d", map(float, numbers[:2])).tofile(out)
+                array.array("d", map(float, numbers[:dim])).tofile(out)
     return raw
 
 
 def measure(spec, options, folder):
     gmds = os.path.join(options.build, "bin", "gmds")
-    points = shared_points(spec, gmds, folder)
+    dim = str(options.dim)
+    points = shared_points(spec, options.dim, gmds, folder)
+    handwritten = "handwritten_delaunay3" if options.dim == 3 else "handwritten_delaunay"
     sides = {
-        "generic": [gmds, "delaunay", points, "--json"],
-        "handwritten": [os.path.join(options.build, "bin", "handwritten_delaunay"), points],
-        "two_threads": [gmds, "delaunay", points, "--json", "--threads", "2"],
+        "generic": [gmds, "delaunay", points, "--dim", dim, "--json"],
+        "handwritten": [os.path.join(options.build, "bin", handwritten), points],
     }
+    if options.dim == 2:
+        sides["two_threads"] = [gmds, "delaunay", points, "--json", "--threads", "2"]
     if options.peers:
-        sides["cgal"] = [os.path.join(options.peers, "cgal_delaunay"), "2", points]
+        sides["cgal"] = [os.path.join(options.peers, "cgal_delaunay"), dim, points]
     reports = alternate(sides, options.runs)
     checksums = {one["checksum"] for side in reports.values() for one in side}
     if len(checksums) != 1:
@@ -51,6 +55,7 @@ def measure(spec, options, folder):
     one = reports["generic"][0]
     result = {
         "spec": spec,
+        "dim": options.dim,
         "points": one["points"],
         "runs": options.runs,
         "checksum": one["checksum"],
@@ -58,8 +63,9 @@ def measure(spec, options, folder):
         "peak_bytes_per_point": one["peak_bytes"] / max(one["points"], 1),
         "seconds": {name: summary([r["seconds"] for r in side]) for name, side in reports.items()},
         "generic_over_handwritten": ratios(reports, "generic", "handwritten"),
-        "one_thread_over_two": ratios(reports, "generic", "two_threads"),
     }
+    if "two_threads" in reports:
+        result["one_thread_over_two"] = ratios(reports, "generic", "two_threads")
     if options.peers:
         result["cgal_over_generic"] = ratios(reports, "cgal", "generic")
         result["cgal_over_handwritten"] = ratios(reports, "cgal", "handwritten")
@@ -69,6 +75,7 @@ def measure(spec, options, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--dim", type=int, choices=(2, 3), default=2, help="dimension (default 2)")
     parser.add_argument("--build", default="build", help="build folder of gmds (default build)")
     parser.add_argument("--peers", help="folder of cgal_delaunay; without it CGAL is left out")
     parser.add_argument("--runs", type=int, default=7, help="counted turns (default 7)")

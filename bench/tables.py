@@ -12,10 +12,13 @@ def cell(ratio):
 
 
 def main():
-    print("| points | n | seconds | µs/point | CGAL | CGAL / generic | generic / by hand | one thread / two | B/point | peak |")
-    print("|---|---|---|---|---|---|---|---|---|---|")
-    for line in sys.stdin:
-        r = json.loads(line)
+    rows = [json.loads(line) for line in sys.stdin]
+    threads = any("one_thread_over_two" in r for r in rows)
+    columns = ["points", "n", "seconds", "µs/point", "CGAL", "CGAL / generic", "generic / by hand"]
+    columns += ["one thread / two"] * threads + ["B/point", "peak"]
+    print("| " + " | ".join(columns) + " |")
+    print("|" + "---|" * len(columns))
+    for r in rows:
         seconds = {name: side["median"] for name, side in r["seconds"].items()}
         has_cgal = "cgal" in seconds
         print("| " + " | ".join([
@@ -26,7 +29,7 @@ def main():
             f"{seconds['cgal']:.4f}" if has_cgal else "",
             cell(r["cgal_over_generic"]) if has_cgal else "",
             cell(r["generic_over_handwritten"]),
-            cell(r["one_thread_over_two"]),
+            *([cell(r["one_thread_over_two"]) if "one_thread_over_two" in r else ""] * threads),
             f"{r['bytes_per_point']:.1f}",
             f"{r['peak_bytes_per_point']:.1f}",
         ]) + " |")

@@ -138,7 +138,7 @@ static int bench_cells(const verb *v, const char *size, const char *model, int j
   return DONE;
 }
 
-/* ---- predicates: points at random in the unit square, where the filters decide, and on a lattice, where a call in
+/* ---- predicates: points at random in the unit square or cube, where the filters decide, and on a lattice, where a call in
  * twenty or so is degenerate */
 
 enum { POINTS = 4096, CALLS = 1 << 20, REPETITIONS = 7, KINDS = 2 };
@@ -151,41 +151,44 @@ static uint64_t next_random(uint64_t *state)
   return z ^ z >> 31;
 }
 
-static int orient2d(const double *a, const double *b, const double *c, const double *d)
-{
-  (void)d;
-  return gmds_orient2d(a, b, c);
-}
-
-static int incircle(const double *a, const double *b, const double *c, const double *d)
-{
-  return gmds_incircle(a, b, c, d);
-}
-
-static int incircle_perturbed(const double *a, const double *b, const double *c, const double *d)
-{
-  return gmds_incircle_perturbed(a, b, c, d);
-}
+/* Five points, of which each predicate takes as many as it needs. */
+#define PREDICATE(name, ...)                \
+  static int name(const double *const x[5]) \
+  {                                         \
+    return gmds_##name(__VA_ARGS__);        \
+  }
+PREDICATE(orient2d, x[0], x[1], x[2])
+PREDICATE(incircle, x[0], x[1], x[2], x[3])
+PREDICATE(incircle_perturbed, x[0], x[1], x[2], x[3])
+PREDICATE(orient3d, x[0], x[1], x[2], x[3])
+PREDICATE(insphere, x[0], x[1], x[2], x[3], x[4])
+PREDICATE(insphere_perturbed, x[0], x[1], x[2], x[3], x[4])
+#undef PREDICATE
 
 static const struct {
   const char *name;
-  int (*call)(const double *a, const double *b, const double *c, const double *d);
-} predicates[] = {{"orient2d", orient2d}, {"incircle", incircle}, {"incircle_perturbed", incircle_perturbed}};
+  size_t dim;
+  int (*call)(const double *const x[5]);
+} predicates[] = {{"orient2d", 2, orient2d}, {"incircle", 2, incircle}, {"incircle_perturbed", 2, incircle_perturbed},
+                  {"orient3d", 3, orient3d}, {"insphere", 3, insphere}, {"insphere_perturbed", 3, insphere_perturbed}};
 
 static const char *const kinds[KINDS] = {"uniform", "lattice"};
 
 static volatile int sign_sum; /* so that the calls are made */
 
 /* Nanoseconds a call, the median of several runs. */
-static double time_predicate(size_t p, const double *xy)
+static double time_predicate(size_t p, const double *points)
 {
+  const size_t dim = predicates[p].dim;
   double seconds[REPETITIONS];
   for (int r = 0; r < REPETITIONS; r++) {
     int sum = 0;
     double begin = now();
     for (size_t k = 0; k < CALLS; k++) {
-      const double *a = xy + 2 * (k % POINTS), *b = xy + 2 * ((k + 1) % POINTS), *c = xy + 2 * ((k + 2) % POINTS);
-      sum += predicates[p].call(a, b, c, xy + 2 * ((k + 3 + k / POINTS) % POINTS));
+      const double *x[5];
+      for (size_t i = 0; i < 5; i++)
+        x[i] = points + dim * ((k + i + (i == dim + 1 ? k / POINTS : 0)) % POINTS);
+      sum += predicates[p].call(x);
     }
     seconds[r] = now() - begin;
     sign_sum = sum;
@@ -195,11 +198,11 @@ static double time_predicate(size_t p, const double *xy)
 
 static int bench_predicates(int json)
 {
-  static double xy[KINDS][2 * POINTS];
+  static double points[KINDS][3 * POINTS];
   uint64_t seed = 1;
-  for (size_t k = 0; k < 2 * (size_t)POINTS; k++) {
-    xy[0][k] = (double)(next_random(&seed) >> 11) * 0x1p-53;
-    xy[1][k] = (double)(next_random(&seed) % 16) / 16;
+  for (size_t k = 0; k < 3 * (size_t)POINTS; k++) {
+    points[0][k] = (double)(next_random(&seed) >> 11) * 0x1p-53;
+    points[1][k] = (double)(next_random(&seed) % 16) / 16;
   }
   gmds_status status = gmds_predicates_check();
   if (status != GMDS_OK)
@@ -212,7 +215,7 @@ static int bench_predicates(int json)
   for (size_t p = 0; p < n; p++) {
     double each[KINDS];
     for (int kind = 0; kind < KINDS; kind++)
-      each[kind] = time_predicate(p, xy[kind]);
+      each[kind] = time_predicate(p, points[kind]);
     if (json)
       printf("%s\"%s\":{\"%s\":%.2f,\"%s\":%.2f}", p ? "," : "", predicates[p].name, kinds[0], each[0], kinds[1],
              each[1]);

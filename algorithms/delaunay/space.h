@@ -27,15 +27,19 @@ _Static_assert(GMDS_STARS, "gmds: delaunay() needs to tell edges and faces by th
 #  define is_finite GMDS_FN(is_finite)
 #  define load GMDS_FN(load)
 #  define load_around GMDS_FN(load_around)
+#  define region_beyond GMDS_FN(region_beyond)
+#  define face_beyond GMDS_FN(face_beyond)
+#  define candidate_of GMDS_FN(candidate_of)
+#  define append GMDS_FN(append)
 #  define nodes_of GMDS_FN(nodes_of)
 #  define locate GMDS_FN(locate)
 #  define in_conflict_exactly GMDS_FN(in_conflict_exactly)
 #  define in_conflict GMDS_FN(in_conflict)
 #  define reserve_cavity GMDS_FN(reserve_cavity)
 #  define reserve_marks GMDS_FN(reserve_marks)
-#  define visit GMDS_FN(visit)
 #  define grow_cavity GMDS_FN(grow_cavity)
 #  define number_of GMDS_FN(number_of)
+#  define find_sides GMDS_FN(find_sides)
 #  define find_walls GMDS_FN(find_walls)
 #  define insert_point GMDS_FN(insert_point)
 #  define first_four GMDS_FN(first_four)
@@ -62,15 +66,19 @@ _Static_assert(GMDS_STARS, "gmds: delaunay() needs to tell edges and faces by th
 #  undef is_finite
 #  undef load
 #  undef load_around
+#  undef region_beyond
+#  undef face_beyond
+#  undef candidate_of
+#  undef append
 #  undef nodes_of
 #  undef locate
 #  undef in_conflict_exactly
 #  undef in_conflict
 #  undef reserve_cavity
 #  undef reserve_marks
-#  undef visit
 #  undef grow_cavity
 #  undef number_of
+#  undef find_sides
 #  undef find_walls
 #  undef insert_point
 #  undef first_four

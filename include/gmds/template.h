@@ -25,4 +25,7 @@
 /* For functions with a parameter that is a constant in every call: each call compiles its own. */
 #define GMDS_SPECIALISED __attribute__((always_inline)) static inline
 
+/* For functions that are compiled by themselves: loops whose registers a caller would take. */
+#define GMDS_APART __attribute__((noinline)) static
+
 #endif

@@ -6,13 +6,11 @@
 typedef struct mesh mesh;
 
 /* Cells of regions and faces are made with them when something is stored about them; they are told by their nodes. */
-#define GMDS__MAKES_EDGES \
-  (GMDS__LINKED_0_1 || GMDS__LINKED_1_2 || GMDS__LINKED_1_3 || GMDS__S_1_1)
+#define GMDS__MAKES_EDGES (GMDS__LINKED_0_1 || GMDS__LINKED_1_2 || GMDS__LINKED_1_3 || GMDS__S_1_1)
 #define GMDS__MAKES_FACES (GMDS__LINKED_0_2 || GMDS__LINKED_1_2 || GMDS__LINKED_2_3 || GMDS__S_2_2)
 #define GMDS__TELLS_EDGES (!GMDS__MAKES_EDGES || GMDS__LINKED_0_1)
 #define GMDS__TELLS_FACES (!GMDS__MAKES_FACES || GMDS__LINKED_0_2 || (GMDS__LINKED_1_2 && GMDS__LINKED_0_1))
-#define GMDS__TELLS_REGIONS \
-  (!GMDS__S_3_3 || GMDS__KNOWS_WALLS || GMDS__LINKED_2_3)
+#define GMDS__TELLS_REGIONS (!GMDS__S_3_3 || GMDS__KNOWS_WALLS || GMDS__LINKED_2_3)
 #define GMDS__TELLS_SIDES (!GMDS__S_2_2 || GMDS__LINKED_1_2 || (GMDS__LINKED_0_2 && GMDS__KNOWS_SIDES))
 
 /* The nodes of every face and region can be listed in order: what a mesh must know to be converted or written. */
@@ -23,7 +21,7 @@ typedef struct mesh mesh;
 
 /* add_face and add_region find by themselves what they have to link. */
 #define GMDS_ADDS_FACES (GMDS__TELLS_EDGES && GMDS__TELLS_FACES && GMDS__TELLS_SIDES)
-#define GMDS_ADDS_REGIONS                                                                                           \
+#define GMDS_ADDS_REGIONS                                                                                  \
   (GMDS_ADDS_FACES && GMDS__TELLS_REGIONS && (GMDS__LINKED_0_3 || GMDS__LINKED_1_3 || GMDS__LINKED_2_3) && \
    GMDS__CAN_3_0)
 
@@ -35,16 +33,16 @@ typedef struct mesh mesh;
 #define GMDS__ASKS_NODES (GMDS__S_0_3 || GMDS__JOINED_BY_REGIONS)
 
 /* Whether what a removal has to ask can be asked: what regions bound, and what is bare. */
-#define GMDS__FORGETS_REGIONS                                                                              \
+#define GMDS__FORGETS_REGIONS                                                                                    \
   ((!GMDS__S_1_3 || GMDS__CAN_3_1) && (!GMDS__S_2_3 || GMDS__CAN_3_2) && (!GMDS__ASKS_NODES || GMDS__CAN_3_0) && \
    (!GMDS__JOINED_BY_REGIONS || GMDS__KNOWS_WALLS))
-#define GMDS__FORGETS_FACES                                                                                     \
-  ((!GMDS__S_1_2 || GMDS__CAN_2_1) && (!GMDS__S_0_2 || GMDS__CAN_2_0) &&                                        \
+#define GMDS__FORGETS_FACES                                              \
+  ((!GMDS__S_1_2 || GMDS__CAN_2_1) && (!GMDS__S_0_2 || GMDS__CAN_2_0) && \
    (!GMDS__JOINED_BY_FACES || (GMDS_ORDERED_2_0 && GMDS__CAN_2_0) || (GMDS__SIMPLICIAL && GMDS__CAN_2_0)))
-#define GMDS__KNOWS_BARE                                                                    \
-  ((!GMDS__MAKES_FACES || (GMDS__CAN_3_2 && GMDS__CAN_2_3 && GMDS__FORGETS_FACES)) &&       \
-   (!GMDS__MAKES_EDGES || (GMDS__LINKED_0_1 && GMDS__CAN_3_1 && GMDS__CAN_1_3 &&            \
-                           (!GMDS__MAKES_FACES || (GMDS__CAN_2_1 && GMDS__CAN_1_2)))))
+#define GMDS__KNOWS_BARE                                                              \
+  ((!GMDS__MAKES_FACES || (GMDS__CAN_3_2 && GMDS__CAN_2_3 && GMDS__FORGETS_FACES)) && \
+   (!GMDS__MAKES_EDGES ||                                                             \
+    (GMDS__LINKED_0_1 && GMDS__CAN_3_1 && GMDS__CAN_1_3 && (!GMDS__MAKES_FACES || (GMDS__CAN_2_1 && GMDS__CAN_1_2)))))
 
 #define GMDS_STARS (GMDS__HAS_TETRAHEDRA && GMDS_ADDS_REGIONS && GMDS__FORGETS_REGIONS && GMDS__KNOWS_BARE)
 
@@ -178,7 +176,13 @@ static inline void tetrahedron_nodes(const mesh *m, gmds_id r, gmds_id v[4]);
  * In models with GMDS_ACROSS. Constant. */
 #if GMDS_ACROSS
 static inline gmds_id across(const mesh *m, gmds_id r, unsigned k, unsigned *arrival);
+
+/* The same for all faces of one that has a region beyond each: beyond[k] is 4 * region + the number of the face there. */
+static inline void across_all(const mesh *m, gmds_id r, gmds_id beyond[4]);
 #endif
+
+/* Tells the processor that what is stored of region r will be read. Nothing else; r need not be alive. */
+static inline void prefetch_3(const mesh *m, gmds_id r);
 
 /* The checksum of the regions (checksum.h). GMDS_OK or GMDS_ERR_MEMORY. O(mesh). */
 #if GMDS__CAN_3_0
@@ -188,14 +192,14 @@ static inline gmds_status checksum(const mesh *m, gmds_memory *memory, uint64_t 
 /* ---- the cavity operator
 
  * Replaces n_regions tetrahedra by the n_walls tetrahedra (node[0], node[1], node[2], apex) of the walls of the cavity that
- * they make (topology.h). The apex is a node that nothing is on. What the model keeps of edges and faces goes with the
+ * they make (topology.h): ids[0 .. n_regions), which has room for n_walls. The apex is a node that nothing is on. What the model keeps of edges and faces goes with the
  * cavity and comes with the star. ids[i] receives the tetrahedron on wall i; identifiers are used again. That cavity and
  * walls are what they are said to be is not checked. GMDS_OK; GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY: in models with
  * GMDS_CONCURRENT_STARS nothing has changed, in others the mesh is valid, but the cavity may be gone. Nothing is looked up
  * in the former; in others as add_tetrahedron for each. In models that hold tetrahedra (GMDS_STARS). */
 #if GMDS_STARS
-static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, const gmds_id *regions, size_t n_walls,
-                               const gmds_cavity_wall *walls, gmds_id *ids);
+static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, size_t n_walls, const gmds_cavity_wall *walls,
+                               gmds_id *ids);
 #endif
 
 /* ---- the whole mesh

@@ -1,5 +1,6 @@
 /* Takes back the short names and what the templates of the model defined. */
 #undef across
+#undef across_all
 #undef add_attribute
 #undef add_edge
 #undef add_face
@@ -139,7 +140,6 @@
 #undef lacks_one
 #undef link_around_nodes
 #undef link_beside
-#undef link_by_table
 #undef link_edge
 #undef link_face
 #undef link_neighbours
@@ -181,6 +181,7 @@
 #undef plan_shape
 #undef plan_sides
 #undef point
+#undef prefetch_3
 #undef prepare_plan
 #undef region_of
 #undef region_type
@@ -249,7 +250,8 @@
 #undef view_3_2
 #undef view_3_3
 #undef wall_nodes
-#undef write_star
+#undef write_small_star
+#undef write_tetrahedron
 #undef GMDS_ADDS_FACES
 #undef GMDS_ADDS_REGIONS
 #undef GMDS_LISTS_CELLS

@@ -30,4 +30,21 @@ static inline gmds_id across(const mesh *m, gmds_id r, unsigned k, unsigned *arr
   *arrival = entry & 3;
   return entry == GMDS_NONE ? GMDS_NONE : entry >> 2;
 }
+
+static inline void across_all(const mesh *m, gmds_id r, gmds_id beyond[4])
+{
+  memcpy(beyond, m->r_3_3.data + 4 * (size_t)r, 4 * sizeof *beyond);
+}
 #endif
+
+static inline void prefetch_3(const mesh *m, gmds_id r)
+{
+  (void)m;
+  (void)r;
+#if GMDS__S_3_0 && GMDS__CORNERS
+  __builtin_prefetch(m->r_3_0.data + GMDS__CORNERS * (size_t)r);
+#endif
+#if GMDS__S_3_3 && GMDS__CORNERS
+  __builtin_prefetch(m->r_3_3.data + GMDS__WALLS * (size_t)r);
+#endif
+}

@@ -5,20 +5,36 @@
 #if GMDS_STARS
 
 #  if GMDS_CONCURRENT_STARS
+/* Joins wall w to the apex. */
+static inline void write_tetrahedron(gmds_id *nodes, gmds_id *beyond, gmds_id apex, const gmds_cavity_wall *w,
+                                     gmds_id face)
+{
+  const gmds_id out = 4 * w->out + w->out_side;
+  gmds_id *row = nodes + (size_t)face;
+  row[0] = w->node[0];
+  row[1] = w->node[1];
+  row[2] = w->node[2];
+  row[3] = apex;
+  beyond[(size_t)face + 3] = out;
+  beyond[out] = face + 3;
+}
+
 /* Boundaries of so many nodes are linked by a table over pairs of them. */
 #    define GMDS__STAR_WIDTH 64
 
-/* Links the star: a directed edge leads to the face on it, its reverse asks for it. */
-static inline void link_by_table(mesh *m, size_t n_walls, const gmds_cavity_wall *walls, const gmds_id *ids)
+/* Writes the star, and links it: a directed edge leads to the face on it, its reverse asks for it. */
+static inline void write_small_star(mesh *m, gmds_id apex, size_t n_walls, const gmds_cavity_wall *walls,
+                                    const gmds_id *ids)
 {
   gmds_id table[GMDS__STAR_WIDTH * GMDS__STAR_WIDTH];
-  gmds_id *const beyond = m->r_3_3.data;
+  gmds_id *const nodes = m->r_3_0.data, *const beyond = m->r_3_3.data;
   for (size_t i = 0; i < n_walls; i++) {
-    const unsigned *l = walls[i].local;
+    const gmds_cavity_wall w = walls[i];
     const gmds_id face = 4 * ids[i];
-    table[l[0] * GMDS__STAR_WIDTH + l[1]] = face;
-    table[l[1] * GMDS__STAR_WIDTH + l[2]] = face + 1;
-    table[l[2] * GMDS__STAR_WIDTH + l[0]] = face + 2;
+    write_tetrahedron(nodes, beyond, apex, &w, face);
+    table[w.local[0] * GMDS__STAR_WIDTH + w.local[1]] = face;
+    table[w.local[1] * GMDS__STAR_WIDTH + w.local[2]] = face + 1;
+    table[w.local[2] * GMDS__STAR_WIDTH + w.local[0]] = face + 2;
   }
   for (size_t i = 0; i < n_walls; i++) {
     const unsigned *l = walls[i].local;
@@ -57,47 +73,31 @@ static inline void link_around_nodes(mesh *m, size_t n_walls, const gmds_cavity_
   }
 }
 
-static inline void write_star(mesh *m, gmds_id apex, size_t n_walls, const gmds_cavity_wall *walls, const gmds_id *ids)
+static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, size_t n_walls, const gmds_cavity_wall *walls,
+                               gmds_id *ids)
 {
-  gmds_id *const nodes = m->r_3_0.data, *const beyond = m->r_3_3.data;
-  for (size_t i = 0; i < n_walls; i++) {
-    const gmds_cavity_wall *w = &walls[i];
-    const gmds_id face = 4 * ids[i], out = 4 * w->out + w->out_side;
-    gmds_id *row = nodes + (size_t)face;
-    row[0] = w->node[0];
-    row[1] = w->node[1];
-    row[2] = w->node[2];
-    row[3] = apex;
-    beyond[(size_t)face + 3] = out;
-    beyond[out] = face + 3;
-  }
-}
-
-static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, const gmds_id *regions, size_t n_walls,
-                               const gmds_cavity_wall *walls, gmds_id *ids)
-{
-  const size_t n_nodes = n_walls / 2 + 2, kept = n_regions < n_walls ? n_regions : n_walls;
-  GMDS_TRY(grow(m, 3, n_walls - kept));
+  const size_t n_nodes = n_walls / 2 + 2;
+  if (n_walls > n_regions)
+    GMDS_TRY(grow(m, 3, n_walls - n_regions));
   if (n_nodes > GMDS__STAR_WIDTH)
     GMDS_TRY(gmds_ids_reserve(&m->plan, 3 * n_walls + 2 * n_nodes + 1));
-  for (size_t i = 0; i < kept; i++)
-    ids[i] = regions[i];
-  for (size_t i = kept; i < n_walls; i++)
+  for (size_t i = n_regions; i < n_walls; i++)
     ids[i] = gmds_cells_take(&m->cells[3]);
-  write_star(m, apex, n_walls, walls, ids);
-  if (n_nodes > GMDS__STAR_WIDTH)
+  if (n_nodes > GMDS__STAR_WIDTH) {
+    for (size_t i = 0; i < n_walls; i++)
+      write_tetrahedron(m->r_3_0.data, m->r_3_3.data, apex, &walls[i], 4 * ids[i]);
     link_around_nodes(m, n_walls, walls, n_nodes, ids, m->plan.data);
-  else
-    link_by_table(m, n_walls, walls, ids);
-  for (size_t i = kept; i < n_regions; i++)
-    gmds_cells_drop(&m->cells[3], regions[i]);
+  } else
+    write_small_star(m, apex, n_walls, walls, ids);
+  for (size_t i = n_walls; i < n_regions; i++)
+    gmds_cells_drop(&m->cells[3], ids[i]);
   return GMDS_OK;
 }
 #  else
-static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, const gmds_id *regions, size_t n_walls,
-                               const gmds_cavity_wall *walls, gmds_id *ids)
+static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, size_t n_walls, const gmds_cavity_wall *walls,
+                               gmds_id *ids)
 {
-  const gmds_ids list = {.data = (gmds_id *)(uintptr_t)regions, .n = n_regions};
+  const gmds_ids list = {.data = ids, .n = n_regions};
   GMDS_TRY(remove_regions(m, &list, GMDS_DROP_BARE));
   for (size_t i = 0; i < n_walls; i++)
     GMDS_TRY(add_tetrahedron(m, walls[i].node[0], walls[i].node[1], walls[i].node[2], apex, &ids[i]));

@@ -36,11 +36,8 @@ static inline gmds_status begin_with(insertion *in, const gmds_id v[4])
   memset(in->local, 0, (n + 1) * sizeof *in->local);
   in->base = 1;
   GMDS_TRY(reserve_marks(in, 7 * n + 8));
-#if GMDS_ACROSS
-  in->last = (candidate){r};
-#else
-  in->last = (candidate){r, {v[0], v[1], v[2], v[3]}};
-#endif
+  GMDS_TRY(reserve_cavity(in, 64));
+  in->last = candidate_of(r, v);
   return GMDS_OK;
 }
 
@@ -68,7 +65,7 @@ static inline void clear_insertion(insertion *in)
   gmds_release(memory, in->cavity, n, sizeof *in->cavity);
   gmds_release(memory, in->tested, n, 4 * sizeof *in->tested);
   gmds_release(memory, in->walls, n, 4 * sizeof *in->walls);
-  gmds_release(memory, in->regions, n, 4 * sizeof *in->regions);
+  gmds_release(memory, in->sides, n, 4 * sizeof *in->sides);
   gmds_release(memory, in->ids, n, 4 * sizeof *in->ids);
   gmds_release(memory, in->marks, in->marked, sizeof *in->marks);
   gmds_release(memory, in->local, in->local ? count_0(in->m) : 0, sizeof *in->local);

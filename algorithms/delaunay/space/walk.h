@@ -1,13 +1,11 @@
 /* Stepping from tetrahedron to tetrahedron, and the walk to a point. */
 
 /* A tetrahedron in hand: its nodes in positive order, and what lies beyond its faces (shapes.h numbers them). In models
- * with GMDS_ACROSS the order is the mesh's, and so is `arrival`, the number of the face there; in others it comes from the
- * step by which it was reached. */
+ * with GMDS_ACROSS the order is the mesh's, and an entry is 4 * region + the number of the face there; in others it comes
+ * from the step by which it was reached, and an entry is a region. */
 typedef struct tetrahedron {
-  gmds_id region;
   gmds_id node[4];
   gmds_id beyond[4];
-  unsigned arrival[4];
 } tetrahedron;
 
 /* One that is going to be tested. */
@@ -22,19 +20,20 @@ typedef struct candidate {
 typedef struct insertion {
   mesh *m;
   gmds_id ghost;
-  candidate last;              /* a finite tetrahedron near the last point */
-  size_t steps;                /* of all walks */
-  gmds_id *marks;              /* of each region: 2 v + 1 in the cavity of node v, 2 v tested and outside, else less */
-  size_t marked;               /* how many there are */
-  gmds_id *local;              /* of each node: base + its number within the boundary at work, else less */
+  candidate last; /* a finite tetrahedron near the last point */
+  size_t steps;   /* of all walks */
+  gmds_id *marks; /* of each region: 2 v + 1 in the cavity of node v, 2 v tested and outside, else less */
+  size_t marked;  /* how many there are */
+  gmds_id *local; /* of each node: base + its number within the boundary at work, else less */
   gmds_id base;
-  size_t capacity;             /* the lists hold cavities of so many tetrahedra */
+  size_t capacity; /* the lists hold cavities of so many tetrahedra */
   tetrahedron *cavity;
-  candidate *tested;           /* 4 capacity */
-  gmds_cavity_wall *walls;     /* 4 capacity */
-  gmds_id *regions, *ids;      /* of the cavity, of its star: 4 capacity */
+  gmds_id *ids;            /* of the cavity, then of its star: 4 capacity */
+  candidate *tested;       /* 4 capacity */
+  gmds_id *sides;          /* 4 * place in the cavity + face, for each face of its boundary: 4 capacity */
+  gmds_cavity_wall *walls; /* 4 capacity */
   size_t n_cavity, n_walls;
-  gmds_ids near, nodes;        /* answers of queries */
+  gmds_ids near, nodes; /* answers of queries */
 } insertion;
 
 /* The nodes of each face, counter-clockwise from outside, and the one opposite. */
@@ -48,13 +47,20 @@ static inline int is_finite(const insertion *in, const gmds_id v[4])
 
 #if GMDS_ACROSS
 
-static inline gmds_status load(insertion *in, const candidate *c, tetrahedron *t)
+static inline gmds_id region_beyond(const tetrahedron *t, size_t k)
 {
-  t->region = c->region;
-  tetrahedron_nodes(in->m, c->region, t->node);
-  for (unsigned k = 0; k < 4; k++)
-    t->beyond[k] = across(in->m, c->region, k, &t->arrival[k]);
-  return GMDS_OK;
+  return t->beyond[k] >> 2;
+}
+
+static inline unsigned face_beyond(const tetrahedron *t, size_t k)
+{
+  return t->beyond[k] & 3;
+}
+
+static inline candidate candidate_of(gmds_id region, const gmds_id node[4])
+{
+  (void)node;
+  return (candidate){region};
 }
 
 static inline const gmds_id *nodes_of(const insertion *in, const candidate *c)
@@ -63,13 +69,29 @@ static inline const gmds_id *nodes_of(const insertion *in, const candidate *c)
   return view_3_0(in->m, c->region, &n);
 }
 
+/* Puts tetrahedron c on place i of the cavity. */
+static inline void append(insertion *in, size_t i, const candidate *c)
+{
+  in->ids[i] = c->region;
+}
+
+/* Reads what was put on place i, and the tetrahedra beyond its faces into around[0 .. 3]. */
+static inline gmds_status load(insertion *in, size_t i, candidate around[4])
+{
+  tetrahedron *t = &in->cavity[i];
+  tetrahedron_nodes(in->m, in->ids[i], t->node);
+  across_all(in->m, in->ids[i], t->beyond);
+  for (int k = 0; k < 4; k++)
+    around[k] = (candidate){t->beyond[k] >> 2};
+  return GMDS_OK;
+}
+
 #else
 
 /* Reads the tetrahedron that a candidate is, whose nodes have their order already, and with it those beyond its faces:
  * around[k], ordered so that its face 3 is the one it shares with t. */
 static inline gmds_status load_around(insertion *in, const candidate *c, tetrahedron *t, candidate around[4])
 {
-  *t = (tetrahedron){.region = c->region};
   memcpy(t->node, c->node, sizeof t->node);
   for (int k = 0; k < 4; k++)
     t->beyond[k] = GMDS_NONE;
@@ -100,10 +122,39 @@ static inline gmds_status load_around(insertion *in, const candidate *c, tetrahe
   return GMDS_OK;
 }
 
+static inline gmds_id region_beyond(const tetrahedron *t, size_t k)
+{
+  return t->beyond[k];
+}
+
+static inline unsigned face_beyond(const tetrahedron *t, size_t k)
+{
+  (void)t;
+  (void)k;
+  return 0;
+}
+
+static inline candidate candidate_of(gmds_id region, const gmds_id node[4])
+{
+  return (candidate){region, {node[0], node[1], node[2], node[3]}};
+}
+
 static inline const gmds_id *nodes_of(const insertion *in, const candidate *c)
 {
   (void)in;
   return c->node;
+}
+
+static inline void append(insertion *in, size_t i, const candidate *c)
+{
+  in->ids[i] = c->region;
+  memcpy(in->cavity[i].node, c->node, sizeof c->node);
+}
+
+static inline gmds_status load(insertion *in, size_t i, candidate around[4])
+{
+  const candidate c = candidate_of(in->ids[i], in->cavity[i].node);
+  return load_around(in, &c, &in->cavity[i], around);
 }
 
 #endif
@@ -111,7 +162,7 @@ static inline const gmds_id *nodes_of(const insertion *in, const candidate *c)
 /* A tetrahedron that p lies in, or one at the ghost that it is in conflict with. The walk crosses any face that p is
  * beyond; in a Delaunay triangulation, perturbed or not, it does not return. */
 #if GMDS_ACROSS
-static inline gmds_status locate(insertion *in, const double p[3], candidate *found)
+GMDS_APART gmds_status locate(insertion *in, const double p[3], candidate *found)
 {
   const mesh *m = in->m;
   gmds_id at = in->last.region;
@@ -135,7 +186,7 @@ static inline gmds_status locate(insertion *in, const double p[3], candidate *fo
   return GMDS_OK;
 }
 #else
-static inline gmds_status locate(insertion *in, const double p[3], candidate *found)
+GMDS_APART gmds_status locate(insertion *in, const double p[3], candidate *found)
 {
   const mesh *m = in->m;
   candidate at = in->last, around[4];
