@@ -27,10 +27,10 @@
 #if GMDS_TOP == 3
 #  include <gmds/algorithms/delaunay/space.h>
 #else
-#include <gmds/delaunay.h>
-#include <gmds/order.h>
-#include <gmds/predicates.h>
-#include <gmds/threads.h>
+#  include <gmds/delaunay.h>
+#  include <gmds/order.h>
+#  include <gmds/predicates.h>
+#  include <gmds/threads.h>
 
 _Static_assert(GMDS_HAS_TRIANGLES, "gmds: delaunay() makes triangles: add TRIANGLE to GMDS_FACES");
 _Static_assert(!GMDS_STORED(1, 1), "gmds: delaunay() does not keep E2E true: take it out of GMDS_MODEL");
@@ -40,104 +40,103 @@ _Static_assert(GMDS_CAN(2, 2), "gmds: delaunay() needs 2->2: add F2F, or F2N, or
 _Static_assert(GMDS_ADDS_FACES,
                "gmds: delaunay() needs to find what is at a side: add F2N, or define GMDS_FACES TRIANGLE");
 
-#if GMDS_HAS_TRIANGLES && !GMDS_STORED(1, 1) && GMDS_CAN(2, 0) && GMDS_CAN(2, 2) && \
-    GMDS_ADDS_FACES
-#  define insertion GMDS_FN(insertion)
-#  define turn_of GMDS_FN(turn_of)
-#  define circle_side GMDS_FN(circle_side)
-#  define neighbours GMDS_FN(neighbours)
-#  define step_over GMDS_FN(step_over)
-#  define in_conflict GMDS_FN(in_conflict)
-#  define locate GMDS_FN(locate)
-#  define grow_cavity GMDS_FN(grow_cavity)
-#  define add_side GMDS_FN(add_side)
-#  define in_conflict_exactly GMDS_FN(in_conflict_exactly)
-#  define pending_side GMDS_FN(pending_side)
-#  define leave GMDS_FN(leave)
-#  define reserve_cavity GMDS_FN(reserve_cavity)
-#  define insert_alone GMDS_FN(insert_alone)
-#  define insert_point GMDS_FN(insert_point)
-#  define face_range GMDS_FN(face_range)
-#  define owns GMDS_FN(owns)
-#  define defer GMDS_FN(defer)
-#  define is_deferred GMDS_FN(is_deferred)
-#  define take_fresh GMDS_FN(take_fresh)
-#  define concurrent GMDS_FN(concurrent)
-#  define strip_of GMDS_FN(strip_of)
-#  define count_part GMDS_FN(count_part)
-#  define deal_part GMDS_FN(deal_part)
-#  define sort_sample GMDS_FN(sort_sample)
-#  define cut_strips GMDS_FN(cut_strips)
-#  define find_start GMDS_FN(find_start)
-#  define insert_strip GMDS_FN(insert_strip)
-#  define tell_progress GMDS_FN(tell_progress)
-#  define set_up_threads GMDS_FN(set_up_threads)
-#  define insert_strips GMDS_FN(insert_strips)
-#  define insert_stage GMDS_FN(insert_stage)
-#  define insert_by_threads GMDS_FN(insert_by_threads)
-#  define first_part GMDS_FN(first_part)
-#  define clear_insertion GMDS_FN(clear_insertion)
-#  define threads_for GMDS_FN(threads_for)
-#  define placing GMDS_FN(placing)
-#  define place_part GMDS_FN(place_part)
-#  define place_nodes GMDS_FN(place_nodes)
-#  define number_nodes GMDS_FN(number_nodes)
-#  define first_triangle GMDS_FN(first_triangle)
-#  define triangulate_nodes GMDS_FN(triangulate_nodes)
-#  define insert_all GMDS_FN(insert_all)
-#  define sort_chain GMDS_FN(sort_chain)
-#  define delaunay GMDS_FN(delaunay)
-#  include <gmds/algorithms/delaunay/walk.h>
-#  include <gmds/algorithms/delaunay/cavity.h>
-#  include <gmds/algorithms/delaunay/points.h>
-#  include <gmds/algorithms/delaunay/parallel.h>
-#  include <gmds/algorithms/delaunay/run.h>
-#  undef GMDS__ALONE
-#  undef GMDS__SHARED
-#  undef insertion
-#  undef turn_of
-#  undef circle_side
-#  undef neighbours
-#  undef step_over
-#  undef in_conflict
-#  undef locate
-#  undef grow_cavity
-#  undef add_side
-#  undef in_conflict_exactly
-#  undef pending_side
-#  undef leave
-#  undef reserve_cavity
-#  undef insert_alone
-#  undef insert_point
-#  undef face_range
-#  undef owns
-#  undef defer
-#  undef is_deferred
-#  undef take_fresh
-#  undef concurrent
-#  undef strip_of
-#  undef count_part
-#  undef deal_part
-#  undef sort_sample
-#  undef cut_strips
-#  undef find_start
-#  undef insert_strip
-#  undef tell_progress
-#  undef set_up_threads
-#  undef insert_strips
-#  undef insert_stage
-#  undef insert_by_threads
-#  undef first_part
-#  undef clear_insertion
-#  undef threads_for
-#  undef placing
-#  undef place_part
-#  undef place_nodes
-#  undef number_nodes
-#  undef first_triangle
-#  undef triangulate_nodes
-#  undef insert_all
-#  undef sort_chain
-#  undef delaunay
-#endif
+#  if GMDS_HAS_TRIANGLES && !GMDS_STORED(1, 1) && GMDS_CAN(2, 0) && GMDS_CAN(2, 2) && GMDS_ADDS_FACES
+#    define insertion GMDS_FN(insertion)
+#    define turn_of GMDS_FN(turn_of)
+#    define circle_side GMDS_FN(circle_side)
+#    define neighbours GMDS_FN(neighbours)
+#    define step_over GMDS_FN(step_over)
+#    define in_conflict GMDS_FN(in_conflict)
+#    define locate GMDS_FN(locate)
+#    define grow_cavity GMDS_FN(grow_cavity)
+#    define add_side GMDS_FN(add_side)
+#    define in_conflict_exactly GMDS_FN(in_conflict_exactly)
+#    define pending_side GMDS_FN(pending_side)
+#    define leave GMDS_FN(leave)
+#    define reserve_cavity GMDS_FN(reserve_cavity)
+#    define insert_alone GMDS_FN(insert_alone)
+#    define insert_point GMDS_FN(insert_point)
+#    define face_range GMDS_FN(face_range)
+#    define owns GMDS_FN(owns)
+#    define defer GMDS_FN(defer)
+#    define is_deferred GMDS_FN(is_deferred)
+#    define take_fresh GMDS_FN(take_fresh)
+#    define concurrent GMDS_FN(concurrent)
+#    define strip_of GMDS_FN(strip_of)
+#    define count_part GMDS_FN(count_part)
+#    define deal_part GMDS_FN(deal_part)
+#    define sort_sample GMDS_FN(sort_sample)
+#    define cut_strips GMDS_FN(cut_strips)
+#    define find_start GMDS_FN(find_start)
+#    define insert_strip GMDS_FN(insert_strip)
+#    define tell_progress GMDS_FN(tell_progress)
+#    define set_up_threads GMDS_FN(set_up_threads)
+#    define insert_strips GMDS_FN(insert_strips)
+#    define insert_stage GMDS_FN(insert_stage)
+#    define insert_by_threads GMDS_FN(insert_by_threads)
+#    define first_part GMDS_FN(first_part)
+#    define clear_insertion GMDS_FN(clear_insertion)
+#    define threads_for GMDS_FN(threads_for)
+#    define placing GMDS_FN(placing)
+#    define place_part GMDS_FN(place_part)
+#    define place_nodes GMDS_FN(place_nodes)
+#    define number_nodes GMDS_FN(number_nodes)
+#    define first_triangle GMDS_FN(first_triangle)
+#    define triangulate_nodes GMDS_FN(triangulate_nodes)
+#    define insert_all GMDS_FN(insert_all)
+#    define sort_chain GMDS_FN(sort_chain)
+#    define delaunay GMDS_FN(delaunay)
+#    include <gmds/algorithms/delaunay/walk.h>
+#    include <gmds/algorithms/delaunay/cavity.h>
+#    include <gmds/algorithms/delaunay/points.h>
+#    include <gmds/algorithms/delaunay/parallel.h>
+#    include <gmds/algorithms/delaunay/run.h>
+#    undef GMDS__ALONE
+#    undef GMDS__SHARED
+#    undef insertion
+#    undef turn_of
+#    undef circle_side
+#    undef neighbours
+#    undef step_over
+#    undef in_conflict
+#    undef locate
+#    undef grow_cavity
+#    undef add_side
+#    undef in_conflict_exactly
+#    undef pending_side
+#    undef leave
+#    undef reserve_cavity
+#    undef insert_alone
+#    undef insert_point
+#    undef face_range
+#    undef owns
+#    undef defer
+#    undef is_deferred
+#    undef take_fresh
+#    undef concurrent
+#    undef strip_of
+#    undef count_part
+#    undef deal_part
+#    undef sort_sample
+#    undef cut_strips
+#    undef find_start
+#    undef insert_strip
+#    undef tell_progress
+#    undef set_up_threads
+#    undef insert_strips
+#    undef insert_stage
+#    undef insert_by_threads
+#    undef first_part
+#    undef clear_insertion
+#    undef threads_for
+#    undef placing
+#    undef place_part
+#    undef place_nodes
+#    undef number_nodes
+#    undef first_triangle
+#    undef triangulate_nodes
+#    undef insert_all
+#    undef sort_chain
+#    undef delaunay
+#  endif
 #endif /* the plane */

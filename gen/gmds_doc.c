@@ -102,15 +102,18 @@ static void print_answers(unsigned mask)
     for (int j = 0; j < 4; j++) {
       const gmds_path p = gmds_path_of(mask, i, j);
       const int kept = (mask & GMDS_CELL_BIT(i)) && (mask & GMDS_CELL_BIT(j));
-      printf(" | %s", !kept ? "" : p.cost == GMDS_COST_NONE || p.exact_regions == 31 ? all[p.cost] : tetrahedra[p.cost]);
+      printf(" | %s", !kept                                               ? ""
+                      : p.cost == GMDS_COST_NONE || p.exact_regions == 31 ? all[p.cost]
+                                                                          : tetrahedra[p.cost]);
     }
   printf(" |\n");
 }
 
 static void print_volumes(void)
 {
-  static const char head[] = " | 0→0 | 0→1 | 0→2 | 0→3 | 1→0 | 1→1 | 1→2 | 1→3 | 2→0 | 2→1 | 2→2 | 2→3 | 3→0 | 3→1 | 3→2 | 3→3 "
-                             "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  static const char head[] =
+      " | 0→0 | 0→1 | 0→2 | 0→3 | 1→0 | 1→1 | 1→2 | 1→3 | 2→0 | 2→1 | 2→2 | 2→3 | 3→0 | 3→1 | 3→2 | 3→3 "
+      "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   unsigned masks[GMDS_PATH_MODELS], mask = 0;
   size_t count[3] = {0};
   for (size_t k = 0; k < gmds_census_size(3); k++) {
@@ -119,20 +122,23 @@ static void print_volumes(void)
     count[1] += (size_t)c.identified;
     count[2] += (size_t)c.complete;
   }
-  printf("# Models of volumes\n\nComputed by `gmds_doc volumes`. Of the %zu sets of the thirteen relations that the census "
-         "counts (N2N, E2E and F2F may be stored beside them) %zu compute 3→0 and 3→3, %zu also tell every kept cell by its "
-         "nodes, and %zu are complete. `gmds models --dim 3 --csv` prints them all.\n\n"
-         "D: stored. L: composed of stored relations, in time that does not grow with the mesh. G: one traversal of the "
-         "mesh. M: a series with at least one traversal. –: cannot be answered (does not compile). An asterisk: beyond "
-         "tetrahedra the stored relations do not decide it, so it exists only with `#define GMDS_REGIONS TETRAHEDRON`; "
-         "without an asterisk the answer is exact on every region. Blank: one of the two is not kept.\n\n"
-         "## Named models\n\nThe full and reduced representations of Garimella (2002); each has a header, "
-         "`<gmds/named/f1.h>` and so on.\n\n| | relations | when to choose it |\n|---|---|---|\n",
-         gmds_census_size(3), count[0], count[1], count[2]);
-#define REASON(name, text, why)                     \
-  (void)gmds_mask_parse(text, NULL, &mask);         \
-  printf("| %s | ", #name);                         \
-  print_mask(mask);                                 \
+  printf(
+      "# Models of volumes\n\nComputed by `gmds_doc volumes`. Of the %zu sets of the thirteen relations that the "
+      "census "
+      "counts (N2N, E2E and F2F may be stored beside them) %zu compute 3→0 and 3→3, %zu also tell every kept cell by "
+      "its "
+      "nodes, and %zu are complete. `gmds models --dim 3 --csv` prints them all.\n\n"
+      "D: stored. L: composed of stored relations, in time that does not grow with the mesh. G: one traversal of the "
+      "mesh. M: a series with at least one traversal. –: cannot be answered (does not compile). An asterisk: beyond "
+      "tetrahedra the stored relations do not decide it, so it exists only with `#define GMDS_REGIONS TETRAHEDRON`; "
+      "without an asterisk the answer is exact on every region. Blank: one of the two is not kept.\n\n"
+      "## Named models\n\nThe full and reduced representations of Garimella (2002); each has a header, "
+      "`<gmds/named/f1.h>` and so on.\n\n| | relations | when to choose it |\n|---|---|---|\n",
+      gmds_census_size(3), count[0], count[1], count[2]);
+#define REASON(name, text, why)             \
+  (void)gmds_mask_parse(text, NULL, &mask); \
+  printf("| %s | ", #name);                 \
+  print_mask(mask);                         \
   printf(" | %s |\n", why);
   GMDS_NAMED_LIST(REASON)
 #undef REASON
@@ -143,9 +149,10 @@ static void print_volumes(void)
   print_answers(mask);
   GMDS_NAMED_LIST(ANSWERS)
 #undef ANSWERS
-  printf("\n## The models that take every path\n\nChosen by the census (`gmds_census_paths`): between them they take each "
-         "path that any model which tells its cells takes. `gmds sweep --dim 3 --models paths` runs them.\n\n| model%s",
-         head);
+  printf(
+      "\n## The models that take every path\n\nChosen by the census (`gmds_census_paths`): between them they take each "
+      "path that any model which tells its cells takes. `gmds sweep --dim 3 --models paths` runs them.\n\n| model%s",
+      head);
   gmds_census_paths(masks);
   for (size_t k = 0; k < GMDS_PATH_MODELS; k++) {
     printf("| ");

@@ -64,12 +64,15 @@ static gmds_status GMDS_FN(triangulate)(const model_task *task, model_report *re
 }
 
 #define GMDS__CODE(i, j) GMDS_FN(code_##i##_##j)
-#define GMDS__CODES(i)                                                                                          \
+#define GMDS__CODES(i)                                                                                                 \
   GMDS__CODE(i, 0) = GMDS__PATH_##i##_0, GMDS__CODE(i, 1) = GMDS__PATH_##i##_1, GMDS__CODE(i, 2) = GMDS__PATH_##i##_2, \
-  GMDS__CODE(i, 3) = GMDS__PATH_##i##_3
+                GMDS__CODE(i, 3) = GMDS__PATH_##i##_3
 enum { GMDS__CODES(0), GMDS__CODES(1), GMDS__CODES(2), GMDS__CODES(3) };
 #undef GMDS__CODES
-#define GMDS__CODES(i) {GMDS__CODE(i, 0), GMDS__CODE(i, 1), GMDS__CODE(i, 2), GMDS__CODE(i, 3)}
+#define GMDS__CODES(i)                                                     \
+  {                                                                        \
+    GMDS__CODE(i, 0), GMDS__CODE(i, 1), GMDS__CODE(i, 2), GMDS__CODE(i, 3) \
+  }
 
 const model_entry GMDS_FN(entry) = {.mask = GMDS__MASK,
                                     .dim = 3,

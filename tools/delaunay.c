@@ -37,7 +37,8 @@ static int run(const verb *v, int argc, char **argv)
   const char *input = NULL, *output = NULL, *dim = "2", *model = NULL, *threads = "1";
   int json = 0;
   const option options[] = {
-      {"output", 'o', &output, NULL, "FILE  where the mesh goes: .off .vtk .vtu .mesh .msh, or .svg for a picture (plane)"},
+      {"output", 'o', &output, NULL,
+       "FILE  where the mesh goes: .off .vtk .vtu .mesh .msh, or .svg for a picture (plane)"},
       {"dim", 0, &dim, NULL, "2|3  dimension (default 2)"},
       {"model", 0, &model, NULL,
        "MASK  mesh model (default N|F|F2N|F2F, in space N|R|R2N|R2R); in the plane MASK +X2Y borrows a relation"},

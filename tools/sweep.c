@@ -167,8 +167,8 @@ static void print_row(FILE *file, const sweep_row *r, int csv)
 {
   const char *form = csv ? r->ok ? "%s,%zu,%zu,%.6f,%zu,%zu,%016llx,%s\n" : "%s,%zu,%zu,%.6f,%zu,%zu,%016llx,\"%s\"\n"
                          : "%-36s %8zu %9zu %11.6f %11zu %11zu  %016llx  %s\n";
-  fprintf(file, form, r->model, r->points, r->report.cells, r->report.seconds, r->report.bytes,
-          r->report.peak_bytes, (unsigned long long)r->report.sum, r->status);
+  fprintf(file, form, r->model, r->points, r->report.cells, r->report.seconds, r->report.bytes, r->report.peak_bytes,
+          (unsigned long long)r->report.sum, r->status);
 }
 
 static gmds_status write_csv(const sweep *s, gmds_error *error)
@@ -301,7 +301,8 @@ static int run(const verb *v, int argc, char **argv)
   return run_sweep(&s);
 }
 
-const verb verb_sweep = {
-    "sweep", "[--points SPEC] [--models LIST] [--dim 2|3] [--expect SUM] [--csv FILE] [--plot FILE.svg] "
-             "[--jobs J]",
-    "one Bowyer-Watson text over many mesh models: time and memory of each, results compared", run};
+const verb verb_sweep = {"sweep",
+                         "[--points SPEC] [--models LIST] [--dim 2|3] [--expect SUM] [--csv FILE] [--plot FILE.svg] "
+                         "[--jobs J]",
+                         "one Bowyer-Watson text over many mesh models: time and memory of each, results compared",
+                         run};

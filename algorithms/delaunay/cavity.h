@@ -12,7 +12,8 @@ __attribute__((cold)) static inline int in_conflict_exactly(const insertion *in,
   unsigned g = v[0] == in->ghost ? 0 : v[1] == in->ghost ? 1 : 2;
   const double *a = point(m, v[(g + 1) % 3]), *b = point(m, v[(g + 2) % 3]);
   int side = turn_of(a, b, p);
-  return side ? side > 0 : gmds_compare_points(GMDS_COORDINATES, a, p) * gmds_compare_points(GMDS_COORDINATES, p, b) > 0;
+  return side ? side > 0
+              : gmds_compare_points(GMDS_COORDINATES, a, p) * gmds_compare_points(GMDS_COORDINATES, p, b) > 0;
 }
 
 /* Whether the circle of s holds p, and twice whether that of t does. */
@@ -69,7 +70,8 @@ static inline void add_side(insertion *in, size_t c, unsigned q, const gmds_cavi
 
 /* Gathers the cavity of p from a triangle in it, depth first: the sides of its boundary are met in order around it. Both
  * sides by which a triangle is left are tested at once. */
-GMDS_SPECIALISED gmds_status grow_cavity(insertion *in, const double p[GMDS_COORDINATES], int sharing, const gmds_cavity_face *root)
+GMDS_SPECIALISED gmds_status grow_cavity(insertion *in, const double p[GMDS_COORDINATES], int sharing,
+                                         const gmds_cavity_face *root)
 {
   size_t depth = 0, faces = 0;
   gmds_cavity_face t = *root, left, right;

@@ -89,7 +89,8 @@ static inline gmds_status sort_chain(const mesh *m, gmds_delaunay_result *result
       chain[end] = top;
     }
     for (size_t root = start, child; (child = 2 * root + 1) < end; root = child) {
-      if (child + 1 < end && gmds_compare_points(GMDS_COORDINATES, point(m, chain[child]), point(m, chain[child + 1])) < 0)
+      if (child + 1 < end &&
+          gmds_compare_points(GMDS_COORDINATES, point(m, chain[child]), point(m, chain[child + 1])) < 0)
         child++;
       if (gmds_compare_points(GMDS_COORDINATES, point(m, chain[root]), point(m, chain[child])) >= 0)
         break;

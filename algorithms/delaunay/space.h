@@ -15,8 +15,9 @@ _Static_assert(GMDS__HAS_TETRAHEDRA, "gmds: delaunay() makes tetrahedra: add TET
 _Static_assert(GMDS_CAN(3, 0), "gmds: delaunay() needs 3->0: add R2N, or R2F with F2N, to GMDS_MODEL (the inverse of a "
                                "relation will do)");
 _Static_assert(GMDS_CAN(3, 3), "gmds: delaunay() needs 3->3: add R2R, or N2R, or define GMDS_REGIONS TETRAHEDRON");
-_Static_assert(GMDS_STARS, "gmds: delaunay() needs to tell edges and faces by their nodes: add E2N where edges are kept, "
-                           "F2N where faces are, to GMDS_MODEL");
+_Static_assert(GMDS_STARS,
+               "gmds: delaunay() needs to tell edges and faces by their nodes: add E2N where edges are kept, "
+               "F2N where faces are, to GMDS_MODEL");
 
 #if GMDS__HAS_TETRAHEDRA && GMDS_CAN(3, 0) && GMDS_CAN(3, 3) && GMDS_STARS
 #  define tetrahedron GMDS_FN(tetrahedron)

@@ -176,7 +176,8 @@ static inline gmds_status leave(insertion *in, const gmds_cavity_face *t, gmds_c
 /* Walks from the last triangle to one whose circle holds p: the finite triangle that p lies in or on, or the infinite
  * one beyond a side of the hull that p lies outside of. A visibility walk: in a Delaunay triangulation it never meets
  * a triangle twice (Edelsbrunner 1990). */
-GMDS_SPECIALISED gmds_status locate(insertion *in, const double p[GMDS_COORDINATES], int sharing, gmds_cavity_face *found)
+GMDS_SPECIALISED gmds_status locate(insertion *in, const double p[GMDS_COORDINATES], int sharing,
+                                    gmds_cavity_face *found)
 {
   const mesh *m = in->m;
   gmds_cavity_face t = in->last;

@@ -37,7 +37,8 @@ typedef struct gmds_path {
   gmds_cost cost;
   unsigned exact; /* for i, j <= 2: the face types (bits of GMDS_FACE_TYPE_LIST) on which the answer is exact in a
                       model that holds no others, or, with all three bits, in any model; 0 for a query of volumes */
-  unsigned exact_regions; /* in a model that keeps regions: the region types (bits of GMDS_REGION_TYPE_LIST) on which the
+  unsigned
+      exact_regions; /* in a model that keeps regions: the region types (bits of GMDS_REGION_TYPE_LIST) on which the
                              answer is exact */
 } gmds_path;
 

@@ -13,11 +13,11 @@ typedef struct gmds_stored_relations {
   unsigned mask; /* which are stored */
   size_t end[4]; /* identifiers of nodes, edges, faces, regions */
   const gmds_bits *alive[4];
-  gmds_csr relation[4][4]; /* relation[i][j] where i2j is stored, GMDS_NONE included */
-  int keeps_edges, keeps_faces;          /* regions and faces make theirs */
-  int sides;                             /* F2E is in the order of the nodes of the face */
-  int local;                             /* R2E and R2F are in the local order of shapes.h */
-  int aligned;                           /* entry k of R2R belongs to face k */
+  gmds_csr relation[4][4];      /* relation[i][j] where i2j is stored, GMDS_NONE included */
+  int keeps_edges, keeps_faces; /* regions and faces make theirs */
+  int sides;                    /* F2E is in the order of the nodes of the face */
+  int local;                    /* R2E and R2F are in the local order of shapes.h */
+  int aligned;                  /* entry k of R2R belongs to face k */
 } gmds_stored_relations;
 
 /* Checks that every entry names a live cell and none twice, and none is left where a cell was deleted. GMDS_OK;

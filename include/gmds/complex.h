@@ -16,19 +16,21 @@ extern "C" {
  * nodes: edges by two, faces by the set of theirs. */
 typedef struct gmds_complex {
   gmds_memory *memory;
-  size_t n_nodes;    /* nodes are numbered below */
-  gmds_csr nodes[4]; /* [1], [2], [3]: the nodes of edges, faces and regions; the row of a cell that does not exist is empty.
+  size_t n_nodes; /* nodes are numbered below */
+  gmds_csr
+      nodes[4]; /* [1], [2], [3]: the nodes of edges, faces and regions; the row of a cell that does not exist is empty.
                         Faces list them around, regions in the order of their type (shapes.h), polyhedra in any */
-  uint8_t *types;    /* of the regions: gmds_cell_type; room for `types_capacity` */
+  uint8_t *types; /* of the regions: gmds_cell_type; room for `types_capacity` */
   size_t types_capacity;
   gmds_csr walls; /* of polyhedra, the faces; the rows of other regions are empty. No rows at all where none is one */
 
   /* what gmds_complex_join finds: rows of sides are the edges, the faces and then the faces of all regions */
-  gmds_edge_table sides; /* which numbers of edges are on each row; edges that are no cell of the complex have one too */
-  gmds_id *edge_of;      /* sides.n: the edge of the complex with this number, or GMDS_NONE */
-  size_t *first_wall;    /* of region r the rows first_wall[r] to first_wall[r + 1] - 1; n regions + 1 */
-  gmds_csr rows;         /* the nodes of all rows */
-  gmds_id *group;        /* of each row from the first face on: the number of its set of nodes */
+  gmds_edge_table
+      sides;          /* which numbers of edges are on each row; edges that are no cell of the complex have one too */
+  gmds_id *edge_of;   /* sides.n: the edge of the complex with this number, or GMDS_NONE */
+  size_t *first_wall; /* of region r the rows first_wall[r] to first_wall[r + 1] - 1; n regions + 1 */
+  gmds_csr rows;      /* the nodes of all rows */
+  gmds_id *group;     /* of each row from the first face on: the number of its set of nodes */
   size_t n_groups;
   gmds_id *face_of; /* n_groups: the face of the complex with this number, or GMDS_NONE */
 } gmds_complex;
@@ -62,8 +64,8 @@ gmds_status gmds_complex_joined(const gmds_complex *complex, int edges, int face
 
 /* A csr of n rows of lengths that are known: begin[r + 1] = length of row r on entry, begin[0] = 0; then `data` has room for
  * their sum. GMDS_OK or GMDS_ERR_MEMORY (it stays as it is). */
-gmds_status gmds_csr_begin(gmds_csr *csr, size_t n);  /* room for the lengths, all 0 */
-gmds_status gmds_csr_finish(gmds_csr *csr);           /* sums them and makes room for the entries */
+gmds_status gmds_csr_begin(gmds_csr *csr, size_t n); /* room for the lengths, all 0 */
+gmds_status gmds_csr_finish(gmds_csr *csr);          /* sums them and makes room for the entries */
 
 #ifdef __cplusplus
 }

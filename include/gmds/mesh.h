@@ -66,6 +66,8 @@
 #    include <gmds/models/volume/bulk.h>
 #    include <gmds/models/volume/queries.h>
 #    include <gmds/models/volume/find.h>
+#    include <gmds/models/volume/plan.h>
+#    include <gmds/models/volume/link.h>
 #    include <gmds/models/volume/add.h>
 #    include <gmds/models/volume/remove.h>
 #    include <gmds/models/volume/shape.h>

@@ -14,10 +14,10 @@ static inline gmds_status borrow(mesh *view, int a, int b, gmds_memory *memory)
 #define GMDS__BORROW_PAIRS(i, j) \
   if (i == b && j == a)          \
     return gmds_invert_pairs(&view->r_##i##_##j, view->cells[i].end, view->cells[j].end, csr);
-#define GMDS__BORROW_INLINE(i, j)                                                                       \
-  if (i == b && j == a)                                                                                 \
-    return gmds_invert_inline(view->r_##i##_##j.data, GMDS__ARITY_##i##_##j, &view->cells[i].alive, view->cells[i].end, \
-                              view->cells[j].end, csr);
+#define GMDS__BORROW_INLINE(i, j)                                                                   \
+  if (i == b && j == a)                                                                             \
+    return gmds_invert_inline(view->r_##i##_##j.data, GMDS__ARITY_##i##_##j, &view->cells[i].alive, \
+                              view->cells[i].end, view->cells[j].end, csr);
   GMDS__EACH_POOLED(GMDS__BORROW_ROWS)
   GMDS__EACH_PAIRS(GMDS__BORROW_PAIRS)
   GMDS__EACH_INLINE(GMDS__BORROW_INLINE)
@@ -40,9 +40,9 @@ static inline gmds_status copy_stored(const mesh *m, int i, int j, gmds_csr *csr
 #define GMDS__COPY_PAIRS(a, b) \
   if (i == a && j == b)        \
     return gmds_copy_pairs(&m->r_##a##_##b, m->cells[a].end, csr);
-#define GMDS__COPY_INLINE(a, b)                                                                                    \
-  if (i == a && j == b)                                                                                            \
-    return gmds_copy_inline(m->r_##a##_##b.data, GMDS__ARITY_##a##_##b, &m->cells[a].alive, m->cells[a].end,       \
+#define GMDS__COPY_INLINE(a, b)                                                                              \
+  if (i == a && j == b)                                                                                      \
+    return gmds_copy_inline(m->r_##a##_##b.data, GMDS__ARITY_##a##_##b, &m->cells[a].alive, m->cells[a].end, \
                             GMDS__CODED && a == 3 && b == 3 ? 2 : 0, csr);
   GMDS__EACH_POOLED(GMDS__COPY_ROWS)
   GMDS__EACH_PAIRS(GMDS__COPY_PAIRS)

@@ -25,10 +25,10 @@ static inline void renumber_relations(mesh *m, gmds_id *const map[4])
 #define GMDS__RENUMBER_PAIRS(i, j) \
   if (map[i] || map[j])            \
     gmds_pairs_renumber(&m->r_##i##_##j, m->cells[i].end, map[i], map[j]);
-#define GMDS__RENUMBER_INLINE(i, j)                                                                             \
-  if (map[i] || map[j])                                                                                         \
-    gmds_column_renumber(&m->r_##i##_##j, GMDS__ARITY_##i##_##j, &m->cells[i].alive, m->cells[i].end, map[i],   \
-                         map[j], GMDS__CODED &&i == 3 && j == 3);
+#define GMDS__RENUMBER_INLINE(i, j)                                                                                   \
+  if (map[i] || map[j])                                                                                               \
+    gmds_column_renumber(&m->r_##i##_##j, GMDS__ARITY_##i##_##j, &m->cells[i].alive, m->cells[i].end, map[i], map[j], \
+                         GMDS__CODED &&i == 3 && j == 3);
   GMDS__EACH_POOLED(GMDS__RENUMBER_ROWS)
   GMDS__EACH_PAIRS(GMDS__RENUMBER_PAIRS)
   GMDS__EACH_INLINE(GMDS__RENUMBER_INLINE)

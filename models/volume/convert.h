@@ -199,8 +199,8 @@ static inline gmds_status fill_relations(mesh *m, const gmds_complex *c, gmds_er
 #define GMDS__FILL_ORDERED(i, j) GMDS__FILL(i, j, 1, fill_rows(m, &m->r_##i##_##j, m->cells[i].capacity, &csr))
 #define GMDS__FILL_PAIRS(i, j) \
   GMDS__FILL(i, j, 0, gmds_pairs_fill(&m->r_##i##_##j, &m->memory, m->cells[i].capacity, csr.begin, csr.n, csr.data))
-#define GMDS__FILL_INLINE(i, j)                                                                          \
-  GMDS__FILL(i, j, GMDS__CODED && i == 3 && j == 3 ? 2 : 1,                                              \
+#define GMDS__FILL_INLINE(i, j)                            \
+  GMDS__FILL(i, j, GMDS__CODED &&i == 3 && j == 3 ? 2 : 1, \
              fill_column(m, &m->r_##i##_##j, GMDS__ARITY_##i##_##j, m->cells[i].capacity, &csr))
   GMDS__EACH_SET(GMDS__FILL_SET)
   GMDS__EACH_ORDERED(GMDS__FILL_ORDERED)

@@ -47,8 +47,10 @@ typedef struct mesh mesh;
 #define GMDS_STARS (GMDS__HAS_TETRAHEDRA && GMDS_ADDS_REGIONS && GMDS__FORGETS_REGIONS && GMDS__KNOWS_BARE)
 
 #define GMDS__MAKES_NONE                                                                                              \
-  GMDS_UNAVAILABLE("gmds: model '" GMDS_TEXT(GMDS_PREFIX) "' cannot make regions: it does not tell their edges, faces " \
-                   "or neighbours by nodes: add E2N where edges are kept, F2N where faces are, R2N where R2R is stored")
+  GMDS_UNAVAILABLE(                                                                                                   \
+      "gmds: model '" GMDS_TEXT(GMDS_PREFIX) "' cannot make regions: it does not tell their edges, faces "            \
+                                             "or neighbours by nodes: add E2N where edges are kept, F2N where faces " \
+                                             "are, R2N where R2R is stored")
 
 /* ---- life */
 static inline gmds_status mesh_init(mesh *m, const gmds_allocator *allocator);

@@ -414,9 +414,8 @@ GMDS_SPECIALISED gmds_status step(const mesh *m, int i, int l, GMDS_FN(hop) hop,
 }
 
 /* What each row of the tables becomes. */
-#define GMDS__STEP(i, k, l, n, told)                                                                \
-  status = status != GMDS_OK ? status                                                               \
-                             : step(m, i, l, hop_##k##_##l, meet_##k##_##l, n, told, out, &first);
+#define GMDS__STEP(i, k, l, n, told) \
+  status = status != GMDS_OK ? status : step(m, i, l, hop_##k##_##l, meet_##k##_##l, n, told, out, &first);
 #define GMDS__ROW1(id, i, j) \
   case id:                   \
     GMDS__STEP(i, i, j, 1, 1) break;
@@ -426,10 +425,10 @@ GMDS_SPECIALISED gmds_status step(const mesh *m, int i, int l, GMDS_FN(hop) hop,
 #define GMDS__ROW3(id, t, i, k, l, j, o, n) \
   case id:                                  \
     GMDS__STEP(i, i, k, 1, 1) GMDS__STEP(i, k, l, o, (o) == 1) GMDS__STEP(i, l, j, n, (n) == 1) break;
-#define GMDS__ROW4(id, t, i, k, l, p, j, o, q, n)                                                                 \
-  case id:                                                                                                        \
-    GMDS__STEP(i, i, k, 1, 1) GMDS__STEP(i, k, l, o, (o) == 1) GMDS__STEP(i, l, p, q, (q) == 1)                   \
-    GMDS__STEP(i, p, j, n, (n) == 1) break;
+#define GMDS__ROW4(id, t, i, k, l, p, j, o, q, n) \
+  case id:                                        \
+    GMDS__STEP(i, i, k, 1, 1)                     \
+    GMDS__STEP(i, k, l, o, (o) == 1) GMDS__STEP(i, l, p, q, (q) == 1) GMDS__STEP(i, p, j, n, (n) == 1) break;
 
 #if GMDS__S_3_3
 static inline gmds_id region_of(gmds_id entry)

@@ -2,20 +2,20 @@
 #define TEST_JOIN_(x, a, b) x##_##a##_##b
 #define TEST_JOIN(x, a, b) TEST_JOIN_(x, a, b)
 #if TEST_JOIN(GMDS__CAN, TEST_A, 0)
-  case 4 * TEST_A + 0:
-    return TEST_JOIN(all_adj, TEST_A, 0)(m, csr);
+case 4 * TEST_A + 0:
+return TEST_JOIN(all_adj, TEST_A, 0)(m, csr);
 #endif
 #if TEST_JOIN(GMDS__CAN, TEST_A, 1)
-  case 4 * TEST_A + 1:
-    return TEST_JOIN(all_adj, TEST_A, 1)(m, csr);
+case 4 * TEST_A + 1:
+return TEST_JOIN(all_adj, TEST_A, 1)(m, csr);
 #endif
 #if TEST_JOIN(GMDS__CAN, TEST_A, 2)
-  case 4 * TEST_A + 2:
-    return TEST_JOIN(all_adj, TEST_A, 2)(m, csr);
+case 4 * TEST_A + 2:
+return TEST_JOIN(all_adj, TEST_A, 2)(m, csr);
 #endif
 #if TEST_JOIN(GMDS__CAN, TEST_A, 3)
-  case 4 * TEST_A + 3:
-    return TEST_JOIN(all_adj, TEST_A, 3)(m, csr);
+case 4 * TEST_A + 3:
+return TEST_JOIN(all_adj, TEST_A, 3)(m, csr);
 #endif
 #undef TEST_JOIN
 #undef TEST_JOIN_

@@ -107,8 +107,8 @@ int main(int argc, char **argv)
     k++;
   }
   if (argc == 2) {
-    const unsigned r2 = GMDS_N | GMDS_R | GMDS_RELATION_BIT(0, 0) | GMDS_RELATION_BIT(0, 3) |
-                        GMDS_RELATION_BIT(3, 0) | GMDS_RELATION_BIT(3, 3),
+    const unsigned r2 = GMDS_N | GMDS_R | GMDS_RELATION_BIT(0, 0) | GMDS_RELATION_BIT(0, 3) | GMDS_RELATION_BIT(3, 0) |
+                        GMDS_RELATION_BIT(3, 3),
                    all = 0xfffff;
     write_flavours(r2, 0);
     write_flavours(all, 0);

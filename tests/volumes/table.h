@@ -37,8 +37,9 @@ static gmds_cell_type GMDS_FN(do_type)(const void *m, gmds_id r)
 }
 
 #define TEST_PAIRS(X)                                                                                             \
-  X(0, 0) X(0, 1) X(0, 2) X(0, 3) X(1, 0) X(1, 1) X(1, 2) X(1, 3) X(2, 0) X(2, 1) X(2, 2) X(2, 3) X(3, 0) X(3, 1) \
-      X(3, 2) X(3, 3)
+  X(0, 0)                                                                                                         \
+  X(0, 1) X(0, 2) X(0, 3) X(1, 0) X(1, 1) X(1, 2) X(1, 3) X(2, 0) X(2, 1) X(2, 2) X(2, 3) X(3, 0) X(3, 1) X(3, 2) \
+      X(3, 3)
 static gmds_status GMDS_FN(do_query)(const void *m, int i, int j, gmds_id c, gmds_ids *out)
 {
   switch (4 * i + j) {
@@ -81,8 +82,7 @@ static const gmds_id *GMDS_FN(do_view)(const void *m, int i, int j, gmds_id c, s
   (void)m;
   (void)c;
   (void)n;
-#define TEST_VIEW(a, b)          \
-  GMDS__IF_##a##_##b(if (i == a && j == b) return row_##a##_##b(m, c, n);)
+#define TEST_VIEW(a, b) GMDS__IF_##a##_##b(if (i == a && j == b) return row_##a##_##b(m, c, n);)
   TEST_PAIRS(TEST_VIEW)
 #undef TEST_VIEW
   return NULL;
@@ -100,9 +100,9 @@ static stored_relation GMDS_FN(do_stored)(void *m, int i, int j)
 #define TEST_PAIR(a, b) \
   if (i == a && j == b) \
     s.pairs = &own->r_##a##_##b;
-#define TEST_COLUMN(a, b)           \
-  if (i == a && j == b) {           \
-    s.column = &own->r_##a##_##b;   \
+#define TEST_COLUMN(a, b)            \
+  if (i == a && j == b) {            \
+    s.column = &own->r_##a##_##b;    \
     s.arity = GMDS__ARITY_##a##_##b; \
   }
   GMDS__EACH_POOLED(TEST_ROWS)

@@ -95,8 +95,8 @@ START_TEST(a_mesh_becomes_one_of_another_model)
       const gmds_cells *now = to->do_cells(two.mesh);
       for (int i = 0; i < 4; i++) { /* numbers and attributes stay where both models keep the cells */
         const gmds_attribute *a = gmds_attribute_find(&now[i], "number");
-        const int kept = (i != 1 || (one.m->makes_edges && to->makes_edges)) &&
-                         (i != 2 || (one.m->makes_faces && to->makes_faces));
+        const int kept =
+            (i != 1 || (one.m->makes_edges && to->makes_edges)) && (i != 2 || (one.m->makes_faces && to->makes_faces));
         for (gmds_id c = 0; c < one.ref.end[i] && kept; c++) {
           ck_assert_int_eq(gmds_cells_has(&now[i], c), reference_has(&one.ref, i, c));
           if (reference_has(&one.ref, i, c))

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #define GMDS_PREFIX whole
-#define GMDS_MODEL                                                                                                    \
+#define GMDS_MODEL \
   (N | E | F | R | N2N | N2E | N2F | N2R | E2N | E2E | E2F | E2R | F2N | F2E | F2F | F2R | R2N | R2E | R2F | R2R)
 #define GMDS_FACES (TRIANGLE | QUADRILATERAL | POLYGON)
 #define GMDS_REGIONS (TETRAHEDRON | PYRAMID | PRISM | HEXAHEDRON | POLYHEDRON)
@@ -17,14 +17,20 @@ typedef struct file {
   const char *name, *extension;
   size_t edges, faces, regions;
 } file;
-static const file files[] = {
-    {"cinolib_rockerarm_hex", ".mesh", 35989, 33838, 10600}, {"gmds072_easy2_polydata", ".vtk", 16827, 11218, 0},
-    {"gmds_B80", ".vtk", 4111, 6195, 2832},                  {"gmds_ElipticSmoothTest2_quads", ".vtk", 13453, 6633, 0},
-    {"gmds_HolesInSquare2", ".mesh", 3261, 2120, 0},         {"gmds_HolesInSquare2", ".vtk", 3261, 2120, 0},
-    {"gmds_mambo_B31", ".vtk", 76821, 123588, 59058},        {"gmds_several_types", ".vtk", 0, 0, 4},
-    {"gmds_tet_in_box", ".vtk", 113, 146, 61},               {"hexsmoothing_mixedElementMesh", ".vtk", 3916, 4344, 1628},
-    {"libigl_hand", ".mesh", 42009, 64774, 29998},           {"mfem_homology.asc.v22", ".msh", 10821, 16252, 7392},
-    {"mmg_naca", ".mesh", 45201, 30100, 0},                  {"polyfem_microstructure_P1", ".msh", 8890, 13709, 6414}};
+static const file files[] = {{"cinolib_rockerarm_hex", ".mesh", 35989, 33838, 10600},
+                             {"gmds072_easy2_polydata", ".vtk", 16827, 11218, 0},
+                             {"gmds_B80", ".vtk", 4111, 6195, 2832},
+                             {"gmds_ElipticSmoothTest2_quads", ".vtk", 13453, 6633, 0},
+                             {"gmds_HolesInSquare2", ".mesh", 3261, 2120, 0},
+                             {"gmds_HolesInSquare2", ".vtk", 3261, 2120, 0},
+                             {"gmds_mambo_B31", ".vtk", 76821, 123588, 59058},
+                             {"gmds_several_types", ".vtk", 0, 0, 4},
+                             {"gmds_tet_in_box", ".vtk", 113, 146, 61},
+                             {"hexsmoothing_mixedElementMesh", ".vtk", 3916, 4344, 1628},
+                             {"libigl_hand", ".mesh", 42009, 64774, 29998},
+                             {"mfem_homology.asc.v22", ".msh", 10821, 16252, 7392},
+                             {"mmg_naca", ".mesh", 45201, 30100, 0},
+                             {"polyfem_microstructure_P1", ".msh", 8890, 13709, 6414}};
 
 static char scratch[256];
 static gmds_memory memory;

@@ -40,7 +40,7 @@ typedef struct volume_model {
   const gmds_id *(*do_view)(const void *m, int i, int j, gmds_id c, size_t *n); /* NULL where it is not stored */
   stored_relation (*do_stored)(void *m, int i, int j);
   gmds_status (*do_add_node)(void *m, const double *x, gmds_id *id);
-  gmds_status (*do_add_edge)(void *m, gmds_id a, gmds_id b, gmds_id *id); /* NULL where edges know no nodes */
+  gmds_status (*do_add_edge)(void *m, gmds_id a, gmds_id b, gmds_id *id);           /* NULL where edges know no nodes */
   gmds_status (*do_add_face)(void *m, size_t n, const gmds_id *nodes, gmds_id *id); /* NULL where none are made */
   gmds_status (*do_add_region)(void *m, gmds_cell_type type, const gmds_id *nodes, gmds_id *id);
   gmds_status (*do_add_polyhedron)(void *m, size_t n, const gmds_id *faces, gmds_id *id); /* NULL where none are held */
@@ -51,7 +51,8 @@ typedef struct volume_model {
   gmds_status (*do_trim)(void *m);
   gmds_status (*do_compact)(void *m, gmds_id *maps[4]);
   gmds_status (*do_check)(const void *m, gmds_memory *memory, gmds_error *error);
-  gmds_status (*do_get_volume)(const void *m, gmds_volume *volume, gmds_error *error); /* NULL where nodes are not told */
+  gmds_status (*do_get_volume)(const void *m, gmds_volume *volume,
+                               gmds_error *error); /* NULL where nodes are not told */
   gmds_status (*do_set_volume)(void *m, gmds_volume *volume, gmds_error *error);
   gmds_status (*do_to_soup)(const void *m, gmds_soup *soup, gmds_error *error); /* NULL as do_get_volume */
   gmds_status (*do_from_soup)(void *m, const gmds_soup *soup, gmds_error *error);
