@@ -23,6 +23,38 @@ typedef struct outcome {
   gmds_quality summary;
 } outcome;
 
+/* Every number from 1 to n has gone where the map says. */
+static void check_numbers(const gmds_id *number, const gmds_id *map, size_t n)
+{
+  int *met = calloc(n + 1, sizeof *met);
+  for (size_t c = 0; c < n; c++)
+    ck_assert(map[c] < n && !met[map[c]]++ && number[map[c]] == c + 1);
+  free(met);
+}
+
+/* Faces have the nodes that they had, and come by the least of these. */
+static void check_faces(const gmds_csr *before, const gmds_csr *after, gmds_id *const *maps, size_t n, int ordered)
+{
+  gmds_id last = 0;
+  for (size_t f = 0; f < n; f++) {
+    const size_t from = before->begin[f], to = after->begin[maps[2][f]], length = before->begin[f + 1] - from;
+    ck_assert_uint_eq(after->begin[maps[2][f] + 1] - to, length);
+    for (size_t k = 0; k < length; k++) {
+      size_t q = ordered ? k : 0;
+      while (q < length && after->data[to + q] != maps[0][before->data[from + k]])
+        q++;
+      ck_assert(ordered ? q == k : q < length);
+    }
+  }
+  for (size_t f = 0; f < n; f++) {
+    gmds_id least = GMDS_NONE;
+    for (size_t q = after->begin[f]; q < after->begin[f + 1]; q++)
+      least = after->data[q] < least ? after->data[q] : least;
+    ck_assert(least >= last);
+    last = least;
+  }
+}
+
 #include "algorithms/models.h"
 
 typedef void runner(const gmds_soup *soup, int inject, outcome *o);
