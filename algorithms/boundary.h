@@ -18,7 +18,7 @@
 #if GMDS_TOP == 3
 #  include <gmds/algorithms/boundary/space.h>
 #else
-#include <gmds/chains.h>
+#  include <gmds/chains.h>
 
 _Static_assert(GMDS_CAN(2, 0), "gmds: boundary() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL (the inverse of a "
                                "relation will do)");
@@ -26,13 +26,13 @@ _Static_assert(GMDS_ORDERED_2_0 || GMDS_SIMPLICIAL,
                "gmds: boundary() needs the order of the nodes of faces: add F2N, or define GMDS_FACES TRIANGLE");
 _Static_assert(GMDS_CAN(2, 2), "gmds: boundary() needs 2->2: add F2F, or F2N, or define GMDS_FACES TRIANGLE");
 
-#if GMDS_CAN(2, 0) && (GMDS_ORDERED_2_0 || GMDS_SIMPLICIAL) && GMDS_CAN(2, 2)
-#  define boundary GMDS_FN(boundary)
-#  define is_side_of GMDS_FN(is_side_of)
-#  define is_bare GMDS_FN(is_bare)
-#  define gather_bare GMDS_FN(gather_bare)
+#  if GMDS_CAN(2, 0) && (GMDS_ORDERED_2_0 || GMDS_SIMPLICIAL) && GMDS_CAN(2, 2)
+#    define boundary GMDS_FN(boundary)
+#    define is_side_of GMDS_FN(is_side_of)
+#    define is_bare GMDS_FN(is_bare)
+#    define gather_bare GMDS_FN(gather_bare)
 
-#  if !(GMDS_ORDERED_2_0 && GMDS_STORED(2, 2))
+#    if !(GMDS_ORDERED_2_0 && GMDS_STORED(2, 2))
 /* Whether nodes a and b follow each other among n nodes around a face. */
 static inline int is_side_of(const gmds_id *nodes, size_t n, gmds_id a, gmds_id b)
 {
@@ -41,19 +41,19 @@ static inline int is_side_of(const gmds_id *nodes, size_t n, gmds_id a, gmds_id 
       return 1;
   return 0;
 }
-#  endif
+#    endif
 
 /* Whether no other face is on side k of face f, from a to b. */
 static inline int is_bare(const mesh *m, const gmds_csr *nodes, const gmds_csr *faces, gmds_id f, size_t k, gmds_id a,
                           gmds_id b)
 {
-#  if GMDS_ORDERED_2_0 && GMDS_STORED(2, 2)
+#    if GMDS_ORDERED_2_0 && GMDS_STORED(2, 2)
   (void)nodes;
   (void)faces;
   (void)a;
   (void)b;
   return face_beside(m, f, k) == GMDS_NONE;
-#  else
+#    else
   (void)k;
   for (size_t i = faces->begin[f]; i < faces->begin[f + 1]; i++) {
     size_t n = 0;
@@ -62,7 +62,7 @@ static inline int is_bare(const mesh *m, const gmds_csr *nodes, const gmds_csr *
       return 0;
   }
   return 1;
-#  endif
+#    endif
 }
 
 /* The nodes of every bare side, two by two. */
@@ -90,10 +90,10 @@ static inline gmds_status boundary(mesh *m, gmds_csr *chains, size_t *open)
   gmds_csr_init(&faces, mesh_memory(m));
   gmds_ids_init(&sides, mesh_memory(m));
   gmds_status status = prepare_2_0(m, &nodes);
-#  if !(GMDS_ORDERED_2_0 && GMDS_STORED(2, 2))
+#    if !(GMDS_ORDERED_2_0 && GMDS_STORED(2, 2))
   if (status == GMDS_OK)
     status = all_adj_2_2(m, &faces);
-#  endif
+#    endif
   if (status == GMDS_OK)
     status = gather_bare(m, &nodes, &faces, &sides);
   gmds_csr_clear(&nodes);
@@ -103,9 +103,9 @@ static inline gmds_status boundary(mesh *m, gmds_csr *chains, size_t *open)
   gmds_ids_clear(&sides);
   return status;
 }
-#  undef boundary
-#  undef is_side_of
-#  undef is_bare
-#  undef gather_bare
-#endif
+#    undef boundary
+#    undef is_side_of
+#    undef is_bare
+#    undef gather_bare
+#  endif
 #endif /* surfaces */

@@ -67,7 +67,8 @@ static inline gmds_status components(mesh *m, gmds_id *component, size_t *count)
 #  endif
   }
   gmds_id n = 0;
-  for (gmds_id f = next_cell(m, 0); f != GMDS_NONE; f = next_cell(m, f + 1)) /* a parent is smaller, and has its number */
+  for (gmds_id f = next_cell(m, 0); f != GMDS_NONE;
+       f = next_cell(m, f + 1)) /* a parent is smaller, and has its number */
     component[f] = component[f] == f ? n++ : component[component[f]];
   *count = n;
 #  if !(GMDS_TOP == 2 && GMDS_STORED(2, 2))

@@ -18,8 +18,9 @@
 #include <gmds/quality.h>
 
 #if GMDS_TOP == 3
-_Static_assert(GMDS_LISTS_CELLS, "gmds: quality() of regions needs the nodes of all cells: add R2N, or R2F with F2N, or "
-                                 "define GMDS_REGIONS TETRAHEDRON");
+_Static_assert(GMDS_LISTS_CELLS,
+               "gmds: quality() of regions needs the nodes of all cells: add R2N, or R2F with F2N, or "
+               "define GMDS_REGIONS TETRAHEDRON");
 #else
 _Static_assert(GMDS_CAN(2, 0), "gmds: quality() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL (the inverse of a "
                                "relation will do)");

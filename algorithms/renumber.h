@@ -17,8 +17,9 @@
 #include <gmds/renumber.h>
 
 #if GMDS_TOP == 3
-_Static_assert(GMDS_LISTS_CELLS, "gmds: renumber() of regions needs the nodes of all cells: add R2N, or R2F with F2N, or "
-                                 "define GMDS_REGIONS TETRAHEDRON");
+_Static_assert(GMDS_LISTS_CELLS,
+               "gmds: renumber() of regions needs the nodes of all cells: add R2N, or R2F with F2N, or "
+               "define GMDS_REGIONS TETRAHEDRON");
 #else
 _Static_assert(GMDS_CAN(2, 0), "gmds: renumber() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL (the inverse of a "
                                "relation will do)");

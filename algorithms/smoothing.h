@@ -19,7 +19,7 @@
 #if GMDS_TOP == 3
 #  include <gmds/algorithms/smoothing/space.h>
 #else
-#include <gmds/predicates.h>
+#  include <gmds/predicates.h>
 
 _Static_assert(GMDS_COORDINATES == 2, "gmds: smooth() moves nodes of the plane: take DIM3 out of GMDS_MODEL");
 _Static_assert(GMDS_CAN(2, 0), "gmds: smooth() needs 2->0: add F2N, or F2E with E2N, to GMDS_MODEL (the inverse of a "
@@ -29,13 +29,13 @@ _Static_assert(GMDS_ORDERED_2_0 || GMDS_SIMPLICIAL,
 _Static_assert(GMDS_CAN(0, 2), "gmds: smooth() needs 0->2: add N2F, or N2E with E2F, to GMDS_MODEL (the inverse of a "
                                "relation will do)");
 
-#if GMDS_COORDINATES == 2 && GMDS_CAN(2, 0) && (GMDS_ORDERED_2_0 || GMDS_SIMPLICIAL) && GMDS_CAN(0, 2)
-#  define smoother GMDS_FN(smoother)
-#  define corner_turn GMDS_FN(corner_turn)
-#  define gather_joined GMDS_FN(gather_joined)
-#  define keeps_turns GMDS_FN(keeps_turns)
-#  define smooth_node GMDS_FN(smooth_node)
-#  define smooth GMDS_FN(smooth)
+#  if GMDS_COORDINATES == 2 && GMDS_CAN(2, 0) && (GMDS_ORDERED_2_0 || GMDS_SIMPLICIAL) && GMDS_CAN(0, 2)
+#    define smoother GMDS_FN(smoother)
+#    define corner_turn GMDS_FN(corner_turn)
+#    define gather_joined GMDS_FN(gather_joined)
+#    define keeps_turns GMDS_FN(keeps_turns)
+#    define smooth_node GMDS_FN(smooth_node)
+#    define smooth GMDS_FN(smooth)
 
 typedef struct smoother {
   mesh *m;
@@ -137,11 +137,11 @@ static inline gmds_status smooth(mesh *m, size_t sweeps, size_t *moved)
     *moved = last;
   return status;
 }
-#  undef smoother
-#  undef corner_turn
-#  undef gather_joined
-#  undef keeps_turns
-#  undef smooth_node
-#  undef smooth
-#endif
+#    undef smoother
+#    undef corner_turn
+#    undef gather_joined
+#    undef keeps_turns
+#    undef smooth_node
+#    undef smooth
+#  endif
 #endif /* surfaces */

@@ -146,7 +146,8 @@ double gmds_region_quality(const gmds_walls *walls, const double *points, size_t
     double edge[3][3];
     for (int i = 0; i < 3; i++)
       vector_to(points + 3 * (size_t)nodes[corner[k][0]], points + 3 * (size_t)nodes[corner[k][i + 1]], edge[i]);
-    const double value = type == GMDS_PYRAMID ? base_corner(edge) : scaled(edge) * (type == GMDS_PRISM ? 2 / sqrt(3) : 1);
+    const double value =
+        type == GMDS_PYRAMID ? base_corner(edge) : scaled(edge) * (type == GMDS_PRISM ? 2 / sqrt(3) : 1);
     least = value < least ? value : least;
   }
   return least;

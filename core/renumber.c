@@ -58,7 +58,8 @@ static gmds_status number_nodes(gmds_memory *memory, int dim, const double *poin
   void *block[4] = {NULL, NULL, NULL, NULL};
   for (size_t v = 0; v < end; v++)
     w.n += map[v] != GMDS_NONE;
-  const size_t counts[4] = {w.n * (size_t)dim, w.n, w.n, end}, sizes[4] = {sizeof(double), sizeof(gmds_id), sizeof(gmds_id), sizeof(gmds_id)};
+  const size_t counts[4] = {w.n * (size_t)dim, w.n, w.n, end},
+               sizes[4] = {sizeof(double), sizeof(gmds_id), sizeof(gmds_id), sizeof(gmds_id)};
   gmds_status status = GMDS_OK;
   for (int k = 0; k < 4 && status == GMDS_OK; k++)
     status = gmds_resize(memory, &block[k], 0, counts[k], sizes[k]) ? GMDS_OK : GMDS_ERR_MEMORY;

@@ -20,12 +20,12 @@ typedef struct gmds_surface_report {
   size_t faces, sides, nodes; /* faces, and what is on them */
   gmds_finding border;        /* sides with one face */
   gmds_finding crowded;       /* sides with more than two */
-  gmds_finding turned;        /* sides along which two faces run the same way: they turn against each other. None where no
+  gmds_finding turned;  /* sides along which two faces run the same way: they turn against each other. None where no
                                  order is kept */
-  gmds_finding pinched;       /* nodes whose faces, joined where they share a side at the node, make more than one fan */
-  int manifold;               /* nothing is crowded or pinched */
-  int closed;                 /* and no side has one face */
-  int orientable;             /* the faces can be turned so that no two that share a side with no third turn against each
+  gmds_finding pinched; /* nodes whose faces, joined where they share a side at the node, make more than one fan */
+  int manifold;         /* nothing is crowded or pinched */
+  int closed;           /* and no side has one face */
+  int orientable;       /* the faces can be turned so that no two that share a side with no third turn against each
                                  other */
 } gmds_surface_report;
 
@@ -35,13 +35,13 @@ typedef struct gmds_volume_report {
   gmds_finding border;                 /* faces with one region */
   gmds_finding crowded;                /* faces with more than two */
   gmds_finding turned;                 /* faces that two regions, by the order of their nodes, see from the same side */
-  gmds_finding pinched_edges;          /* edges whose regions, joined where they share a face at the edge, are not one fan */
-  gmds_finding pinched_nodes;          /* the same of nodes */
-  gmds_finding inverted;               /* regions of which a corner turns the wrong way: a tetrahedron of negative volume */
-  gmds_finding degenerate;             /* others that have a flat corner (a tetrahedron without volume), a node twice, or,
+  gmds_finding pinched_edges;  /* edges whose regions, joined where they share a face at the edge, are not one fan */
+  gmds_finding pinched_nodes;  /* the same of nodes */
+  gmds_finding inverted;       /* regions of which a corner turns the wrong way: a tetrahedron of negative volume */
+  gmds_finding degenerate;     /* others that have a flat corner (a tetrahedron without volume), a node twice, or,
                                           polyhedra, no volume */
-  gmds_surface_report surface;         /* of the faces with one region, turned outwards */
-  int manifold;                        /* nothing is crowded or pinched */
+  gmds_surface_report surface; /* of the faces with one region, turned outwards */
+  int manifold;                /* nothing is crowded or pinched */
 } gmds_volume_report;
 
 /* Reports on faces whose nodes are listed around them, below n_nodes; ordered: which way they are listed means something.

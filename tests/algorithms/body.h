@@ -4,7 +4,7 @@
 #define OF(name) BODY_CAT(RUN, name)
 
 /* The nine relations of a small mesh, each against brute force; only that they are built where `compare` is 0. */
-static gmds_status OF(relate)(OF(mesh) *m, int compare)
+static gmds_status OF(relate)(OF(mesh) * m, int compare)
 {
   gmds_complex cells;
   gmds_complex_init(&cells, &m->memory, 0);
@@ -22,7 +22,7 @@ static gmds_status OF(relate)(OF(mesh) *m, int compare)
 }
 
 /* Renumbers a mesh: the maps are one to one, coordinates, attributes and the nodes of faces go along. */
-static void OF(renumber_all)(OF(mesh) *m, failing *from, int inject)
+static void OF(renumber_all)(OF(mesh) * m, failing *from, int inject)
 {
   const size_t end[3] = {OF(end_0)(m), OF(end_1)(m), OF(end_2)(m)};
   gmds_id *maps[3];

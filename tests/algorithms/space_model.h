@@ -95,9 +95,10 @@ static size_t OF(end_of)(const void *m, int i)
   return i == 0 ? OF(end_0)(m) : i == 1 ? OF(end_1)(m) : i == 2 ? OF(end_2)(m) : OF(end_3)(m);
 }
 
-static const subject OF(subject) = {GMDS_TEXT(RUN), sizeof(OF(mesh)), OF(is_ordered), OF(begin), OF(end),     OF(fill),
-                                    OF(verify),     OF(memory),       OF(points), OF(bound),  OF(part),
-                                    OF(look),       OF(measure),      OF(relate), OF(soften), OF(number), OF(list), OF(attribute), OF(end_of)};
+static const subject OF(subject) = {GMDS_TEXT(RUN), sizeof(OF(mesh)), OF(is_ordered), OF(begin),  OF(end),
+                                    OF(fill),       OF(verify),       OF(memory),     OF(points), OF(bound),
+                                    OF(part),       OF(look),         OF(measure),    OF(relate), OF(soften),
+                                    OF(number),     OF(list),         OF(attribute),  OF(end_of)};
 #undef OF
 #undef BODY_CAT
 #undef BODY_CAT_

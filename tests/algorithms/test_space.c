@@ -419,7 +419,8 @@ static void make_grid(gmds_soup *s, gmds_id n, int kind, double shake, uint64_t 
 /* Each cube of a grid as six tetrahedra around a diagonal, or some of them. */
 static void make_tetrahedra(gmds_soup *s, gmds_id n, double shake, uint64_t seed)
 {
-  static const uint8_t paths[6][4] = {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}};
+  static const uint8_t paths[6][4] = {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6},
+                                      {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}};
   gmds_soup hexahedra;
   make_grid(&hexahedra, n, 0, shake, seed);
   gmds_soup_init(s, &memory, 3);
@@ -609,7 +610,8 @@ END_TEST
 START_TEST(faces_of_three_regions_and_turned_ones_are_found)
 {
   static const gmds_id v[4][4] = {{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 2, 1, 5}, {0, 1, 6, 7}};
-  static const double x[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, -1}, {0, -1, 0}, {0, 0, -2}};
+  static const double x[][3] = {{0, 0, 0},  {1, 0, 0},  {0, 1, 0},  {0, 0, 1},
+                                {0, 0, -1}, {1, 1, -1}, {0, -1, 0}, {0, 0, -2}};
   for (int turned = 0; turned < 2; turned++)
     for (size_t k = 0; k < N_SUBJECTS; k++) {
       gmds_soup s;
@@ -823,8 +825,8 @@ START_TEST(real_meshes_are_as_their_census_says)
 }
 END_TEST
 
-RUN_SUITE("algorithms in space", small_meshes_are_as_brute_force_has_them, smoothing_turns_no_corner, a_failing_call_changes_nothing,
-          an_empty_mesh_has_nothing_to_report, ideal_cells_measure_one, other_cells_measure_what_formulas_say,
-          inverted_and_flat_regions_are_found, faces_of_three_regions_and_turned_ones_are_found,
-          new_numbers_follow_the_curve_and_change_nothing_else, a_failing_renumbering_changes_nothing,
-          real_meshes_are_as_their_census_says)
+RUN_SUITE("algorithms in space", small_meshes_are_as_brute_force_has_them, smoothing_turns_no_corner,
+          a_failing_call_changes_nothing, an_empty_mesh_has_nothing_to_report, ideal_cells_measure_one,
+          other_cells_measure_what_formulas_say, inverted_and_flat_regions_are_found,
+          faces_of_three_regions_and_turned_ones_are_found, new_numbers_follow_the_curve_and_change_nothing_else,
+          a_failing_renumbering_changes_nothing, real_meshes_are_as_their_census_says)
