@@ -410,8 +410,8 @@ size_t gmds_order_scratch(size_t n)
   return n > SIZE_MAX / (2 * sizeof(item)) ? SIZE_MAX : 2 * n * sizeof(item);
 }
 
-gmds_status gmds_order_points(gmds_memory *memory, void *scratch, unsigned threads, int dim, size_t n, const double *xy,
-                              gmds_error *error, gmds_id *order, gmds_id *same_as, size_t *distinct)
+static gmds_status order_points(gmds_memory *memory, void *scratch, unsigned threads, int rounds, int dim, size_t n,
+                                const double *xy, gmds_error *error, gmds_id *order, gmds_id *same_as, size_t *distinct)
 {
   enum { WORTH = 1 << 15 }; /* points a thread */
   if (dim != 2 && dim != 3)
@@ -441,7 +441,7 @@ gmds_status gmds_order_points(gmds_memory *memory, void *scratch, unsigned threa
       order_all(&o);
     gmds_share(threads, count_distinct, &o);
     *distinct = first_place(&o, threads);
-    for (size_t m = *distinct; m >= FIRST_ROUND && o.last < MAX_ROUNDS - 1; m /= ROUND_RATIO)
+    for (size_t m = rounds ? *distinct : 0; m >= FIRST_ROUND && o.last < MAX_ROUNDS - 1; m /= ROUND_RATIO)
       o.last++;
     gmds_share(threads, count_rounds, &o);
     place_rounds(&o);
@@ -451,4 +451,16 @@ gmds_status gmds_order_points(gmds_memory *memory, void *scratch, unsigned threa
   gmds_release(memory, block, block != NULL, gmds_order_scratch(n));
   gmds_release(memory, parts, parts ? threads : 0, sizeof(part));
   return status;
+}
+
+gmds_status gmds_order_points(gmds_memory *memory, void *scratch, unsigned threads, int dim, size_t n, const double *xy,
+                              gmds_error *error, gmds_id *order, gmds_id *same_as, size_t *distinct)
+{
+  return order_points(memory, scratch, threads, 1, dim, n, xy, error, order, same_as, distinct);
+}
+
+gmds_status gmds_order_along_curve(gmds_memory *memory, int dim, size_t n, const double *xy, gmds_error *error,
+                                   gmds_id *order, gmds_id *same_as, size_t *distinct)
+{
+  return order_points(memory, NULL, 1, 0, dim, n, xy, error, order, same_as, distinct);
 }

@@ -12,8 +12,9 @@
  *   stay empty. Working space comes from the mesh's memory. O(mesh). */
 #include <gmds/walls.h>
 
-_Static_assert(GMDS_LISTS_CELLS, "gmds: boundary() of regions needs the nodes of all cells: add R2N, or R2F with F2N, or "
-                                 "define GMDS_REGIONS TETRAHEDRON");
+_Static_assert(GMDS_LISTS_CELLS,
+               "gmds: boundary() of regions needs the nodes of all cells: add R2N, or R2F with F2N, or "
+               "define GMDS_REGIONS TETRAHEDRON");
 
 #if GMDS_LISTS_CELLS
 #  define boundary GMDS_FN(boundary)

@@ -32,6 +32,11 @@ size_t gmds_order_scratch(size_t n);
 gmds_status gmds_order_points(gmds_memory *memory, void *scratch, unsigned threads, int dim, size_t n, const double *xy,
                               gmds_error *error, gmds_id *order, gmds_id *same_as, size_t *distinct);
 
+/* The same without rounds: the distinct points as they follow each other along the Hilbert curve. For numbering what is
+ * near with near numbers, not for insertion. */
+gmds_status gmds_order_along_curve(gmds_memory *memory, int dim, size_t n, const double *xy, gmds_error *error,
+                                   gmds_id *order, gmds_id *same_as, size_t *distinct);
+
 #ifdef __cplusplus
 }
 #endif

@@ -27,6 +27,12 @@ void gmds_volume_clear(gmds_volume *volume);
  * as many cells as `from` has below its end. GMDS_OK; GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (it may have attributes). */
 gmds_status gmds_cells_copy(const gmds_cells *from, gmds_cells *to);
 
+/* The same under other identifiers: maps give each live cell its own, from 0 to the count, each once (not checked); no hole
+ * is left. The other volume, or cells, hold nothing. A complex that was joined is not joined there.
+ * GMDS_OK; GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (the volume is empty; the cells may have attributes). O(what there is). */
+gmds_status gmds_cells_copy_as(const gmds_cells *from, const gmds_id *map, gmds_cells *to);
+gmds_status gmds_volume_copy_as(const gmds_volume *from, gmds_id *const maps[4], gmds_volume *to);
+
 /* The attribute (GMDS_INT) by which a mesh remembers how often a soup that it was made from listed each of its nodes, edges
  * and faces as a cell. Where it is there, others are not written back. Another attribute, `listed (2)` and so on, says how the
  * nodes were turned the second time. */

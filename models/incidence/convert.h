@@ -85,3 +85,22 @@ static inline gmds_status take_parts(mesh *m, gmds_parts *parts, gmds_error *err
   gmds_parts_init(parts);
   return GMDS_OK;
 }
+
+static inline gmds_status permute(mesh *m, gmds_id *const maps[3])
+{
+  gmds_parts old, renumbered;
+  gmds_parts_init(&old);
+  view_parts(m, &old);
+  GMDS_TRY(gmds_parts_copy_as(&old, maps, &renumbered));
+  const size_t peak = m->memory.live + renumbered.memory.peak;
+  renumbered.memory.limit = m->memory.limit;
+  renumbered.memory.peak = peak > m->memory.peak ? peak : m->memory.peak;
+  gmds_parts_init(&old);
+  give_parts(m, &old);
+  gmds_status status = take_parts(m, &renumbered, NULL);
+  if (status != GMDS_OK)
+    (void)take_parts(m, &old, NULL); /* allocates nothing */
+  gmds_parts_clear(&old);
+  gmds_parts_clear(&renumbered);
+  return status;
+}

@@ -175,6 +175,8 @@ static inline gmds_status get_complex(const mesh *m, gmds_complex *complex, gmds
     *complex = result;
   else
     gmds_complex_clear(&result);
-  return status == GMDS_OK ? status : gmds_fail(error, status, "listing the cells of a mesh: %s", gmds_status_text(status));
+  if (status != GMDS_OK)
+    gmds_fail(error, status, "listing the cells of a mesh: %s", gmds_status_text(status));
+  return status;
 }
 #endif

@@ -389,6 +389,11 @@ static inline gmds_status get_complex(const mesh *m, gmds_complex *complex, gmds
  * empty and usable. Lists of the caller that took their memory from the mesh (mesh_memory) are cleared before. */
 static inline void give_parts(mesh *m, gmds_parts *parts);
 
+/* Gives every cell another identifier: maps[i][c] is that of the live i-cell c, from 0 to count_i - 1, each once (not
+ * checked), in three arrays. Attributes, coordinates and orders go along; no hole is left. GMDS_OK; GMDS_ERR_MEMORY or
+ * GMDS_ERR_TOO_MANY (nothing has changed). O(mesh); as much room as the mesh takes is needed once more. */
+static inline gmds_status permute(mesh *m, gmds_id *const maps[3]);
+
 /* Makes an empty mesh of this model hold the parts that a mesh of any model gave. What both models store is moved, what
  * this one stores more is built, what it stores less is freed. Cells keep their identifiers and attributes; edges go where
  * this model keeps none, and come, one for each two nodes that a face joins, where the other had none. What the mesh held

@@ -34,6 +34,7 @@
 #define meet_0_2 GMDS_FN(meet_0_2)
 #define has_side GMDS_FN(has_side)
 #define keep_sharing_side GMDS_FN(keep_sharing_side)
+#define permute GMDS_FN(permute)
 #define get_complex GMDS_FN(get_complex)
 #define get_adj_0_0 GMDS_FN(get_adj_0_0)
 #define get_adj_0_1 GMDS_FN(get_adj_0_1)

@@ -34,6 +34,7 @@
 #undef meet_0_2
 #undef has_side
 #undef keep_sharing_side
+#undef permute
 #undef get_complex
 #undef get_adj_0_0
 #undef get_adj_0_1

@@ -97,6 +97,46 @@ static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *
   return status;
 }
 
+#if GMDS_LISTS_CELLS
+/* Makes what `other` holds the mesh's, whose own goes. */
+static inline void become(mesh *m, mesh *other)
+{
+  const size_t limit = m->memory.limit, peak = m->memory.live + other->memory.peak, had = m->memory.peak;
+  mesh_clear(m);
+  clear_scratch(other);
+  *m = *other;
+  m->memory.limit = limit;
+  m->memory.peak = peak > had ? peak : had;
+  for (int i = 0; i < 4; i++)
+    m->cells[i].alive.memory = &m->memory;
+  gmds_ids_init(&m->plan, &m->memory);
+  gmds_ids_init(&m->found, &m->memory);
+  gmds_ids_init(&m->more, &m->memory);
+}
+
+static inline gmds_status permute(mesh *m, gmds_id *const maps[4])
+{
+  gmds_volume volume, renumbered;
+  mesh other;
+  mesh_init(&other, &m->memory.allocator);
+  gmds_volume_init(&volume, &m->memory);
+  gmds_volume_init(&renumbered, &m->memory);
+  gmds_status status = get_volume(m, &volume, NULL);
+  if (status == GMDS_OK)
+    status = gmds_volume_copy_as(&volume, maps, &renumbered);
+  gmds_volume_clear(&volume);
+  other.memory.limit = m->memory.limit - m->memory.live;
+  if (status == GMDS_OK)
+    status = set_volume(&other, &renumbered, NULL);
+  gmds_volume_clear(&renumbered);
+  if (status == GMDS_OK)
+    become(m, &other);
+  else
+    mesh_clear(&other);
+  return status;
+}
+#endif
+
 #if GMDS__CAN_3_0
 static inline gmds_status checksum(const mesh *m, gmds_memory *memory, uint64_t *sum)
 {

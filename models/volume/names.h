@@ -105,6 +105,8 @@
 #define get_adj_3_1 GMDS_FN(get_adj_3_1)
 #define get_adj_3_2 GMDS_FN(get_adj_3_2)
 #define get_adj_3_3 GMDS_FN(get_adj_3_3)
+#define become GMDS_FN(become)
+#define permute GMDS_FN(permute)
 #define get_complex GMDS_FN(get_complex)
 #define get_volume GMDS_FN(get_volume)
 #define grow GMDS_FN(grow)

@@ -105,6 +105,8 @@
 #undef get_adj_3_1
 #undef get_adj_3_2
 #undef get_adj_3_3
+#undef become
+#undef permute
 #undef get_complex
 #undef get_volume
 #undef grow

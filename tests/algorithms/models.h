@@ -8,6 +8,7 @@
 #include <gmds/algorithms/manifold.h>
 #include <gmds/algorithms/quality.h>
 #include <gmds/algorithms/relations.h>
+#include <gmds/algorithms/renumber.h>
 #include <gmds/algorithms/smoothing.h>
 enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
@@ -23,6 +24,7 @@ enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/algorithms/manifold.h>
 #include <gmds/algorithms/quality.h>
 #include <gmds/algorithms/relations.h>
+#include <gmds/algorithms/renumber.h>
 #include <gmds/algorithms/smoothing.h>
 enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
@@ -38,6 +40,7 @@ enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/algorithms/manifold.h>
 #include <gmds/algorithms/quality.h>
 #include <gmds/algorithms/relations.h>
+#include <gmds/algorithms/renumber.h>
 #include <gmds/algorithms/smoothing.h>
 enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
@@ -53,6 +56,7 @@ enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/algorithms/manifold.h>
 #include <gmds/algorithms/quality.h>
 #include <gmds/algorithms/relations.h>
+#include <gmds/algorithms/renumber.h>
 #include <gmds/algorithms/smoothing.h>
 enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
@@ -68,6 +72,7 @@ enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/algorithms/manifold.h>
 #include <gmds/algorithms/quality.h>
 #include <gmds/algorithms/relations.h>
+#include <gmds/algorithms/renumber.h>
 #include <gmds/algorithms/smoothing.h>
 enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
@@ -83,6 +88,7 @@ enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/algorithms/manifold.h>
 #include <gmds/algorithms/quality.h>
 #include <gmds/algorithms/relations.h>
+#include <gmds/algorithms/renumber.h>
 #include <gmds/algorithms/smoothing.h>
 enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
@@ -97,6 +103,7 @@ enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/algorithms/manifold.h>
 #include <gmds/algorithms/quality.h>
 #include <gmds/algorithms/relations.h>
+#include <gmds/algorithms/renumber.h>
 #include <gmds/algorithms/smoothing.h>
 enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
@@ -111,6 +118,7 @@ enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/algorithms/manifold.h>
 #include <gmds/algorithms/quality.h>
 #include <gmds/algorithms/relations.h>
+#include <gmds/algorithms/renumber.h>
 #include <gmds/algorithms/smoothing.h>
 enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
@@ -125,6 +133,7 @@ enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/algorithms/manifold.h>
 #include <gmds/algorithms/quality.h>
 #include <gmds/algorithms/relations.h>
+#include <gmds/algorithms/renumber.h>
 #include <gmds/algorithms/smoothing.h>
 enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
@@ -139,6 +148,7 @@ enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/algorithms/manifold.h>
 #include <gmds/algorithms/quality.h>
 #include <gmds/algorithms/relations.h>
+#include <gmds/algorithms/renumber.h>
 #include <gmds/algorithms/smoothing.h>
 enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>
@@ -153,6 +163,7 @@ enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/algorithms/manifold.h>
 #include <gmds/algorithms/quality.h>
 #include <gmds/algorithms/relations.h>
+#include <gmds/algorithms/renumber.h>
 #include <gmds/algorithms/smoothing.h>
 enum { GMDS_FN(is_ordered) = GMDS_ORDERED_2_0 };
 #include <gmds/end.h>

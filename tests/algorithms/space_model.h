@@ -6,6 +6,7 @@
 #include <gmds/algorithms/manifold.h>
 #include <gmds/algorithms/quality.h>
 #include <gmds/algorithms/relations.h>
+#include <gmds/algorithms/renumber.h>
 #include <gmds/algorithms/smoothing.h>
 enum { GMDS_FN(is_ordered) = GMDS_ORDERED_3_0 };
 #include <gmds/end.h>
@@ -73,9 +74,31 @@ static gmds_status OF(soften)(void *m, size_t sweeps, size_t *moved)
   return OF(smooth)(m, sweeps, moved);
 }
 
-static const subject OF(subject) = {GMDS_TEXT(RUN), sizeof(OF(mesh)), OF(is_ordered), OF(begin), OF(end),     OF(fill),
-                                    OF(verify),     OF(memory),       OF(points), OF(bound),  OF(part),
-                                    OF(look),       OF(measure),      OF(relate), OF(soften)};
+static gmds_status OF(number)(void *m, gmds_id *const *maps)
+{
+  return OF(renumber)(m, maps, NULL);
+}
+
+static gmds_status OF(list)(const void *m, gmds_soup *soup)
+{
+  return OF(to_soup)(m, soup, NULL);
+}
+
+static gmds_attribute *OF(attribute)(void *m, int i)
+{
+  gmds_attribute *a = NULL;
+  return OF(add_attribute)(m, i, "number", GMDS_ID, 1, &a) == GMDS_OK ? a : OF(find_attribute)(m, i, "number");
+}
+
+static size_t OF(end_of)(const void *m, int i)
+{
+  return i == 0 ? OF(end_0)(m) : i == 1 ? OF(end_1)(m) : i == 2 ? OF(end_2)(m) : OF(end_3)(m);
+}
+
+static const subject OF(subject) = {GMDS_TEXT(RUN), sizeof(OF(mesh)), OF(is_ordered), OF(begin),  OF(end),
+                                    OF(fill),       OF(verify),       OF(memory),     OF(points), OF(bound),
+                                    OF(part),       OF(look),         OF(measure),    OF(relate), OF(soften),
+                                    OF(number),     OF(list),         OF(attribute),  OF(end_of)};
 #undef OF
 #undef BODY_CAT
 #undef BODY_CAT_

@@ -23,6 +23,38 @@ typedef struct outcome {
   gmds_quality summary;
 } outcome;
 
+/* Every number from 1 to n has gone where the map says. */
+static void check_numbers(const gmds_id *number, const gmds_id *map, size_t n)
+{
+  int *met = calloc(n + 1, sizeof *met);
+  for (size_t c = 0; c < n; c++)
+    ck_assert(map[c] < n && !met[map[c]]++ && number[map[c]] == c + 1);
+  free(met);
+}
+
+/* Faces have the nodes that they had, and come by the least of these. */
+static void check_faces(const gmds_csr *before, const gmds_csr *after, gmds_id *const *maps, size_t n, int ordered)
+{
+  gmds_id last = 0;
+  for (size_t f = 0; f < n; f++) {
+    const size_t from = before->begin[f], to = after->begin[maps[2][f]], length = before->begin[f + 1] - from;
+    ck_assert_uint_eq(after->begin[maps[2][f] + 1] - to, length);
+    for (size_t k = 0; k < length; k++) {
+      size_t q = ordered ? k : 0;
+      while (q < length && after->data[to + q] != maps[0][before->data[from + k]])
+        q++;
+      ck_assert(ordered ? q == k : q < length);
+    }
+  }
+  for (size_t f = 0; f < n; f++) {
+    gmds_id least = GMDS_NONE;
+    for (size_t q = after->begin[f]; q < after->begin[f + 1]; q++)
+      least = after->data[q] < least ? after->data[q] : least;
+    ck_assert(least >= last);
+    last = least;
+  }
+}
+
 #include "algorithms/models.h"
 
 typedef void runner(const gmds_soup *soup, int inject, outcome *o);
@@ -223,7 +255,8 @@ static void check_quality(const gmds_soup *s, const outcome *o)
     const size_t n = s->begin[f + 1] - s->begin[f];
     double area = 0, around = 0, squares = 0, least = 1, value = 0;
     for (size_t k = 0; k < n; k++) {
-      const double *p = s->points + 2 * v[k], *q = s->points + 2 * v[(k + 1) % n], *r = s->points + 2 * v[(k + n - 1) % n];
+      const double *p = s->points + 2 * v[k], *q = s->points + 2 * v[(k + 1) % n],
+                   *r = s->points + 2 * v[(k + n - 1) % n];
       const double angle = atan2(r[1] - p[1], r[0] - p[0]) - atan2(q[1] - p[1], q[0] - p[0]);
       area += (p[0] * q[1] - p[1] * q[0]) / 2;
       around += distance(s, v[k], v[(k + 1) % n]);
@@ -231,7 +264,9 @@ static void check_quality(const gmds_soup *s, const outcome *o)
       least = sin(angle) < least ? sin(angle) : least;
     }
     const double whole = acos(-1) / (double)n;
-    value = n == 3 ? 4 * sqrt(3) * area / squares : n == 4 ? least : 4 * (double)n * tan(whole) * area / (around * around);
+    value = n == 3   ? 4 * sqrt(3) * area / squares
+            : n == 4 ? least
+                     : 4 * (double)n * tan(whole) * area / (around * around);
     if (!o->ordered) {
       value = fabs(value);
       area = fabs(area);
@@ -438,8 +473,8 @@ START_TEST(what_is_no_manifold_is_reported)
     for (int p = 0; p < 9; p++)
       add(&s, random_unit(&state), random_unit(&state));
     for (int f = 0; f < 8; f++) {
-      const gmds_id a = (gmds_id)random_below(&state, 3), v[3] = {a, a + 1 + (gmds_id)random_below(&state, 2),
-                                                                  a + 3 + (gmds_id)random_below(&state, 4)};
+      const gmds_id a = (gmds_id)random_below(&state, 3),
+                    v[3] = {a, a + 1 + (gmds_id)random_below(&state, 2), a + 3 + (gmds_id)random_below(&state, 4)};
       const gmds_id w[3] = {v[1], v[0], v[2]};
       ck_assert_int_eq(gmds_soup_add_cell(&s, GMDS_TRIANGLE, 3, random_below(&state, 2) ? v : w), GMDS_OK);
     }

@@ -24,6 +24,10 @@ typedef struct subject {
   gmds_status (*measure)(void *m, double *values, double *sizes, gmds_quality *summary);
   gmds_status (*relate)(void *m, int i, int j, gmds_complex *cells, gmds_csr *csr);
   gmds_status (*soften)(void *m, size_t sweeps, size_t *moved);
+  gmds_status (*number)(void *m, gmds_id *const *maps);
+  gmds_status (*list)(const void *m, gmds_soup *soup);
+  gmds_attribute *(*attribute)(void *m, int i); /* of one identifier a cell: added, or found */
+  size_t (*end_of)(const void *m, int i);
 } subject;
 
 #include "algorithms/space_models.h"
@@ -415,7 +419,8 @@ static void make_grid(gmds_soup *s, gmds_id n, int kind, double shake, uint64_t 
 /* Each cube of a grid as six tetrahedra around a diagonal, or some of them. */
 static void make_tetrahedra(gmds_soup *s, gmds_id n, double shake, uint64_t seed)
 {
-  static const uint8_t paths[6][4] = {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}};
+  static const uint8_t paths[6][4] = {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6},
+                                      {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}};
   gmds_soup hexahedra;
   make_grid(&hexahedra, n, 0, shake, seed);
   gmds_soup_init(s, &memory, 3);
@@ -605,7 +610,8 @@ END_TEST
 START_TEST(faces_of_three_regions_and_turned_ones_are_found)
 {
   static const gmds_id v[4][4] = {{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 2, 1, 5}, {0, 1, 6, 7}};
-  static const double x[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, -1}, {0, -1, 0}, {0, 0, -2}};
+  static const double x[][3] = {{0, 0, 0},  {1, 0, 0},  {0, 1, 0},  {0, 0, 1},
+                                {0, 0, -1}, {1, 1, -1}, {0, -1, 0}, {0, 0, -2}};
   for (int turned = 0; turned < 2; turned++)
     for (size_t k = 0; k < N_SUBJECTS; k++) {
       gmds_soup s;
@@ -638,6 +644,123 @@ START_TEST(faces_of_three_regions_and_turned_ones_are_found)
       outcome_end(&o);
       gmds_soup_clear(&s);
     }
+}
+END_TEST
+
+/* ---- new numbers */
+
+/* The maps are one to one and go up along the least nodes, attributes have gone along, and region r of the one is region
+ * map[r] of the other. */
+static void check_numbers(const subject *s, void *m, const gmds_soup *soup, const gmds_soup *after, gmds_id **maps,
+                          const size_t *end)
+{
+  for (int i = 0; i < 4; i++) {
+    int *met = calloc(end[i] + 1, sizeof *met);
+    const gmds_id *number = s->attribute(m, i)->data;
+    ck_assert_uint_eq(s->end_of(m, i), end[i]);
+    for (size_t c = 0; c < end[i]; c++) {
+      ck_assert(maps[i][c] < end[i] && !met[maps[i][c]]++);
+      ck_assert_uint_eq(number[maps[i][c]], c + 1);
+    }
+    free(met);
+  }
+  for (size_t v = 0; v < end[0]; v++)
+    ck_assert_int_eq(memcmp(soup->points + 3 * v, after->points + 3 * maps[0][v], 3 * sizeof(double)), 0);
+  const size_t first = after->n_cells - end[3]; /* behind the faces that bound nothing, of which there are none */
+  gmds_id before = 0;
+  for (size_t r = 0; r < end[3] && s->ordered; r++) {
+    const size_t x = first + maps[3][r], n = soup->begin[r + 1] - soup->begin[r];
+    ck_assert_int_eq(after->types[x], soup->types[r]);
+    for (size_t k = 0; k < n; k++)
+      ck_assert_uint_eq(after->corners[after->begin[x] + k], maps[0][soup->corners[soup->begin[r] + k]]);
+  }
+  for (size_t x = first; x < after->n_cells && s->ordered; x++) {
+    gmds_id least = GMDS_NONE;
+    for (size_t k = after->begin[x]; k < after->begin[x + 1]; k++)
+      least = after->corners[k] < least ? after->corners[k] : least;
+    ck_assert_uint_ge(least, before);
+    before = least;
+  }
+}
+
+static void renumber_one(const subject *s, const gmds_soup *soup, int inject, gmds_soup *after)
+{
+  void *m = malloc(s->bytes);
+  gmds_error error = {.status = GMDS_OK};
+  failing from = {.until = LONG_MAX};
+  const gmds_allocator allocator = failing_allocator(&from);
+  size_t end[4];
+  gmds_id *maps[4];
+  s->begin(m, &allocator);
+  ck_assert_msg(s->fill(m, soup, &error) == GMDS_OK, "%s: %s", s->name, error.text);
+  for (int i = 0; i < 4; i++) {
+    end[i] = s->end_of(m, i);
+    maps[i] = malloc((end[i] + 1) * sizeof *maps[i]);
+    gmds_attribute *a = s->attribute(m, i);
+    for (size_t c = 0; c < end[i]; c++)
+      ((gmds_id *)a->data)[c] = (gmds_id)c + 1;
+  }
+  const size_t live = from.live;
+  gmds_status status = GMDS_ERR_MEMORY;
+  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+    from.until = k;
+    status = s->number(m, maps);
+    if (status != GMDS_OK && (from.live != live || s->memory(m)->live != live))
+      ck_abort_msg("%s: renumbering leaves something behind", s->name);
+  }
+  from.until = LONG_MAX;
+  ck_assert_int_eq(status, GMDS_OK);
+  ck_assert_uint_eq(from.live, s->memory(m)->live);
+  ck_assert_msg(s->verify(m, &memory, &error) == GMDS_OK, "%s: %s", s->name, error.text);
+  gmds_soup_init(after, &memory, 3);
+  ck_assert_int_eq(s->list(m, after), GMDS_OK);
+  check_numbers(s, m, soup, after, maps, end);
+  for (int i = 0; i < 4; i++)
+    free(maps[i]);
+  s->end(m);
+  ck_assert_uint_eq(from.live, 0);
+  free(m);
+}
+
+START_TEST(new_numbers_follow_the_curve_and_change_nothing_else)
+{
+  gmds_memory_init(&memory, NULL);
+  for (int kind = 0; kind < 4; kind++) {
+    gmds_soup s, after, first = {.n_points = 0};
+    if (kind < 3)
+      make_grid(&s, 3, kind, 0.3, 5);
+    else
+      make_tetrahedra(&s, 2, 0.3, 5);
+    const size_t begin = kind < 3 ? begin_of_kind(kind) : 0;
+    for (size_t k = begin; k < N_SUBJECTS; k++) {
+      renumber_one(subjects[k], &s, 0, k == begin ? &first : &after);
+      if (k == begin)
+        continue;
+      ck_assert_int_eq(memcmp(first.points, after.points, 3 * s.n_points * sizeof(double)), 0);
+      gmds_soup_clear(&after);
+    }
+    double along = 0, listed = 0; /* the way from node to node has become short */
+    for (size_t d = 3; d < 3 * s.n_points; d++) {
+      along += fabs(first.points[d] - first.points[d - 3]);
+      listed += fabs(s.points[d] - s.points[d - 3]);
+    }
+    ck_assert(along < listed);
+    gmds_soup_clear(&first);
+    gmds_soup_clear(&s);
+  }
+}
+END_TEST
+
+START_TEST(a_failing_renumbering_changes_nothing)
+{
+  gmds_soup s, after;
+  gmds_memory_init(&memory, NULL);
+  make_tetrahedra(&s, 1, 0.1, 3);
+  for (size_t k = 0; k < N_SUBJECTS; k++) {
+    renumber_one(subjects[k], &s, 1, &after);
+    gmds_soup_clear(&after);
+  }
+  gmds_soup_clear(&s);
 }
 END_TEST
 
@@ -702,7 +825,8 @@ START_TEST(real_meshes_are_as_their_census_says)
 }
 END_TEST
 
-RUN_SUITE("algorithms in space", small_meshes_are_as_brute_force_has_them, smoothing_turns_no_corner, a_failing_call_changes_nothing,
-          an_empty_mesh_has_nothing_to_report, ideal_cells_measure_one, other_cells_measure_what_formulas_say,
-          inverted_and_flat_regions_are_found, faces_of_three_regions_and_turned_ones_are_found,
-          real_meshes_are_as_their_census_says)
+RUN_SUITE("algorithms in space", small_meshes_are_as_brute_force_has_them, smoothing_turns_no_corner,
+          a_failing_call_changes_nothing, an_empty_mesh_has_nothing_to_report, ideal_cells_measure_one,
+          other_cells_measure_what_formulas_say, inverted_and_flat_regions_are_found,
+          faces_of_three_regions_and_turned_ones_are_found, new_numbers_follow_the_curve_and_change_nothing_else,
+          a_failing_renumbering_changes_nothing, real_meshes_are_as_their_census_says)

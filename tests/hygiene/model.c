@@ -20,6 +20,7 @@
 #    include <gmds/algorithms/manifold.h>
 #    include <gmds/algorithms/quality.h>
 #    include <gmds/algorithms/relations.h>
+#    include <gmds/algorithms/renumber.h>
 #    include <gmds/algorithms/smoothing.h>
 #  endif
 #  include <gmds/end.h>

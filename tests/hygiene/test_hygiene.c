@@ -25,6 +25,7 @@
 #include <gmds/algorithms/manifold.h>
 #include <gmds/algorithms/quality.h>
 #include <gmds/algorithms/relations.h>
+#include <gmds/algorithms/renumber.h>
 #include <gmds/algorithms/smoothing.h>
 #include <gmds/end.h>
 

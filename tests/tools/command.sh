@@ -220,6 +220,34 @@ run 1 convert cut.off cut.vtk && absent cut.vtk
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >index.off
 run 1 check index.off && says 'index.off:6'
 run 1 convert cube.off cube.xyzw && absent cube.xyzw
+prints_all() { for claim in "$@"; do prints "$claim"; done; }
+
+# ---- check of volumes: a cube; three tetrahedra on a face, one inside out; two that share a node; what is no mesh
+printf 'MeshVersionFormatted 2\nDimension 3\nVertices 9\n0 0 0 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n0 0 1 0\n1 0 1 0\n1 1 1 0\n0 1 1 0\n5 5 5 0\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nEnd\n' >solid.mesh
+run 0 check solid.mesh --json && prints_all '"nodes":9,"edges":12,"faces":6,"regions":1,"euler":1,"components":1,"isolated_nodes":1' \
+  '"inverted":0,"flat":0' '"border":{"nodes":8,"edges":12,"euler":2,"manifold":true,"closed":true},"volume":1,' '"min":1,'
+run 0 check solid.mesh && prints_all 'border of 6 faces, Euler characteristic 2, a closed manifold' 'every relation of the sixteen agrees'
+run 0 info solid.mesh --json && prints '"hexahedron":1'
+printf 'MeshVersionFormatted 2\nDimension 3\nVertices 6\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 -1 0\n1 1 -1 0\nTetrahedra 3\n1 2 3 4 0\n1 3 2 5 0\n1 2 3 6 0\nEnd\n' >three.mesh
+run 0 check three.mesh --json && prints_all '"nonmanifold_faces":1' '"inverted":1'
+run 0 check three.mesh && prints_all '1 faces with more than two regions' '1 inverted regions, first region 2' 'the sixteen but R2R'
+printf 'MeshVersionFormatted 2\nDimension 3\nVertices 7\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n-1 0 0 0\n0 -1 0 0\n0 0 -1 0\nTetrahedra 2\n1 2 3 4 0\n1 5 7 6 0\nEnd\n' >touching.mesh
+run 0 check touching.mesh --json && prints_all '"components":2' '"nonmanifold_nodes":1' '"nonmanifold_edges":0' '"manifold":false'
+cat >polyhedron.vtk <<'END'
+# vtk DataFile Version 3.0
+a cube by its faces
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 8 double
+0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1
+CELLS 1 32
+31 6 4 0 1 2 3 4 4 5 6 7 4 0 1 5 4 4 1 2 6 5 4 2 3 7 6 4 3 0 4 7
+CELL_TYPES 1
+42
+END
+run 0 check polyhedron.vtk --json && prints_all '"regions":1' '"volume":1,' '"min":0.523598' '"closed":true'
+sed 's/^1 2 3 6/1 2 3 9/' three.mesh >bad.mesh
+run 1 check bad.mesh && says 'bad.mesh:13'
 run 2 convert cube.off
 run 0 convert random:100:1 points.f64
 run 0 convert points.f64 points.txt
