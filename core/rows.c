@@ -255,38 +255,73 @@ void gmds_rows_move(gmds_rows *rows, size_t from, size_t to)
   rows->size[from] = 0;
 }
 
+/* Whether row r has x. A short row is looked through to its end, many entries at once. */
+static int row_has(const gmds_rows *rows, size_t r, gmds_id x)
+{
+  if (gmds_rows_is_hashed(rows, r))
+    return gmds_rows_find_hashed(rows, r, x) != GMDS_NONE;
+  size_t n = 0;
+  const gmds_id *row = gmds_rows_get(rows, r, &n);
+  unsigned has = 0;
+  for (size_t k = 0; k < n; k++)
+    has |= row[k] == x;
+  return (int)has;
+}
+
+static int is_among(size_t k, size_t n, const size_t *list)
+{
+  int is = 0;
+  for (size_t i = 0; i < n; i++)
+    is |= list[i] == k;
+  return is;
+}
+
+/* The longest of the rows first .. last of a list that is not among the n in `but`. */
+static size_t longest_row(const gmds_rows *rows, size_t first, size_t last, const gmds_ids *list, size_t n,
+                          const size_t *but)
+{
+  size_t longest = last;
+  for (size_t k = first; k < last; k++)
+    if (!is_among(k, n, but) && (longest == last || rows->length[list->data[k]] > rows->length[list->data[longest]]))
+      longest = k;
+  return longest;
+}
+
+/* Whether x, an entry of row `at` of first .. last, occurs in `times` of them, and in no row before that is listed too. */
+static int meets(const gmds_rows *rows, size_t first, size_t last, const gmds_ids *list, size_t at, gmds_id x,
+                 size_t times, size_t n_skipped, const size_t *skipped)
+{
+  size_t copies = 0;
+  for (size_t k = first; k < last && copies + (last - k) >= times; k++)
+    if (row_has(rows, list->data[k], x)) {
+      if (k < at && !is_among(k, n_skipped, skipped))
+        return 0;
+      copies++;
+    }
+  return copies >= times;
+}
+
 gmds_status gmds_rows_meet(const gmds_rows *rows, size_t first, size_t last, size_t times, gmds_ids *list)
 {
-  size_t before = list->n, longest = last;
-  if (times > 1)
-    for (size_t k = longest = first; k < last; k++)
-      if (rows->length[list->data[k]] > rows->length[list->data[longest]])
-        longest = k;
+  enum { MOST = 3 };
+  /* what occurs in `times` rows is in one of them without the longest times - 1 */
+  size_t before = list->n, skipped[MOST] = {0}, n_skipped = 0;
+  for (; n_skipped + 1 < times && n_skipped < MOST; n_skipped++)
+    skipped[n_skipped] = longest_row(rows, first, last, list, n_skipped, skipped);
   for (size_t k = first; k < last; k++) {
     size_t n = 0;
     const gmds_id *row = gmds_rows_get(rows, list->data[k], &n);
-    if (k == longest || !n)
+    if (is_among(k, n_skipped, skipped) || !n)
       continue;
     if (gmds_ids_reserve(list, list->n + n) != GMDS_OK) {
       list->n = before;
       return GMDS_ERR_MEMORY;
     }
-    memcpy(list->data + list->n, row, n * sizeof *row);
-    list->n += n;
+    for (size_t i = 0; i < n; i++)
+      if (times == 1 || meets(rows, first, last, list, k, row[i], times, n_skipped, skipped))
+        list->data[list->n++] = row[i];
   }
-  gmds_ids_keep(list, before, times > 1 ? times - 1 : 1, GMDS_NONE);
-  if (times == 1)
-    return GMDS_OK;
-  /* what occurs often enough has times - 1 copies without the longest row; that one may have to give the last */
-  size_t kept = before;
-  for (size_t i = before; i < list->n; i++) {
-    size_t copies = 0;
-    for (size_t k = first; k < last && copies < times; k++)
-      copies += gmds_rows_find(rows, list->data[k], list->data[i]) != GMDS_NONE;
-    if (copies >= times)
-      list->data[kept++] = list->data[i];
-  }
-  list->n = kept;
+  gmds_ids_keep(list, before, 1, GMDS_NONE);
   return GMDS_OK;
 }
 

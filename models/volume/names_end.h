@@ -66,6 +66,7 @@
 #undef end_2
 #undef end_3
 #undef end_answer
+#undef enter_pair
 #undef face_sides
 #undef faces_at_side
 #undef faces_touch
@@ -139,6 +140,7 @@
 #undef is_rim
 #undef is_side
 #undef is_wall
+#undef join_star
 #undef lacks_one
 #undef link_around_nodes
 #undef link_beside
@@ -178,6 +180,7 @@
 #undef next_2
 #undef next_3
 #undef note_neighbours
+#undef pairs_of_star
 #undef plan_edge
 #undef plan_polygon
 #undef plan_shape
@@ -202,6 +205,7 @@
 #undef reserve_beside_faces
 #undef reserve_planned
 #undef reserve_region
+#undef reserve_star
 #undef resize_columns
 #undef row_0_0
 #undef row_0_1
@@ -253,6 +257,7 @@
 #undef view_3_3
 #undef wall_nodes
 #undef write_small_star
+#undef write_star
 #undef write_tetrahedron
 #undef GMDS_ADDS_FACES
 #undef GMDS_ADDS_REGIONS
