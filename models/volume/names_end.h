@@ -31,6 +31,7 @@
 #undef allows_sides
 #undef allows_type
 #undef arrives
+#undef become
 #undef begin_answer
 #undef begin_plan
 #undef borrow
@@ -106,8 +107,6 @@
 #undef get_adj_3_1
 #undef get_adj_3_2
 #undef get_adj_3_3
-#undef become
-#undef permute
 #undef get_complex
 #undef get_volume
 #undef grow
@@ -181,6 +180,7 @@
 #undef next_3
 #undef note_neighbours
 #undef pairs_of_star
+#undef permute
 #undef plan_edge
 #undef plan_polygon
 #undef plan_shape
@@ -319,6 +319,7 @@
 #undef GMDS__ROW2
 #undef GMDS__ROW3
 #undef GMDS__ROW4
+#undef GMDS__STARS_OF_REGIONS
 #undef GMDS__STAR_WIDTH
 #undef GMDS__STEP
 #undef GMDS__TELLS_EDGES
