@@ -269,7 +269,8 @@ static void check_smoothing(const brute *b, const gmds_soup *soup, const outcome
   const size_t bytes = 3 * soup->n_points * sizeof(double);
   double *x = malloc(bytes), *old = malloc(bytes);
   size_t moved = 0;
-  memcpy(x, soup->points, bytes);
+  if (bytes)
+    memcpy(x, soup->points, bytes);
   for (int sweep = 0; sweep < SWEEPS; sweep++) {
     moved = 0;
     for (gmds_id v = 0; v < b->n_nodes; v++) {
