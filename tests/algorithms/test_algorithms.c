@@ -531,6 +531,32 @@ START_TEST(a_failing_call_changes_nothing)
 }
 END_TEST
 
+START_TEST(renumbering_closes_holes)
+{
+  gmds_soup s;
+  whole_mesh m;
+  gmds_id faces[200], *const maps[3] = {NULL, NULL, faces};
+  uint64_t before = 0, after = 1;
+  gmds_memory_init(&memory, NULL);
+  make_grid(&s, 7, 6, 2, 4);
+  whole_mesh_init(&m, NULL);
+  ck_assert_int_eq(whole_from_soup(&m, &s, NULL), GMDS_OK);
+  const size_t end = whole_end_2(&m);
+  for (gmds_id f = 0; f < end; f += 3)
+    ck_assert_int_eq(whole_remove_face(&m, f, GMDS_DROP_BARE_EDGES), GMDS_OK);
+  ck_assert_int_eq(whole_checksum(&m, &memory, &before), GMDS_OK);
+  ck_assert_int_eq(whole_renumber(&m, maps, NULL), GMDS_OK);
+  ck_assert_int_eq(whole_check(&m, &memory, NULL), GMDS_OK);
+  ck_assert_int_eq(whole_checksum(&m, &memory, &after), GMDS_OK);
+  ck_assert_uint_eq(before, after);
+  ck_assert(whole_count_2(&m) == whole_end_2(&m) && whole_count_1(&m) == whole_end_1(&m) && end <= 200);
+  for (size_t f = 0; f < end; f++)
+    ck_assert_int_eq(faces[f] == GMDS_NONE, f % 3 == 0);
+  whole_mesh_clear(&m);
+  gmds_soup_clear(&s);
+}
+END_TEST
+
 /* The faces of a file, seen from above: what lies in space is flattened. */
 static void load(const char *folder, const char *file, gmds_soup *s)
 {
@@ -577,4 +603,4 @@ END_TEST
 
 RUN_SUITE("algorithms", small_meshes_are_as_brute_force_has_them, what_is_no_manifold_is_reported,
           a_band_with_a_half_turn_cannot_be_oriented, an_empty_mesh_has_no_boundary_and_no_component,
-          a_failing_call_changes_nothing, real_meshes_have_their_boundaries_and_components)
+          a_failing_call_changes_nothing, renumbering_closes_holes, real_meshes_have_their_boundaries_and_components)
