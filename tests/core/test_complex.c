@@ -336,6 +336,19 @@ static void compare_aligned(const gmds_csr *csr, int i, int j)
   }
 }
 
+/* Whether a region has a face that two others have too. */
+static int is_crowded(size_t r)
+{
+  for (size_t k = 0; k < all.n_walls[r]; k++) {
+    size_t on = 0;
+    for (size_t s = 0; s < all.n[3]; s++)
+      on += all.nodes[3][s].n && region_has_wall(s, &all.walls[r][k]);
+    if (on > 2)
+      return 1;
+  }
+  return 0;
+}
+
 /* What lies beyond each face; 0 where more than two regions share one. */
 static int compare_beyond(const gmds_csr *csr, gmds_status status, size_t where, int coded)
 {
@@ -350,10 +363,8 @@ static int compare_beyond(const gmds_csr *csr, gmds_status status, size_t where,
             others++;
           }
       if (others > 1) {
-        size_t on = 0;
-        for (size_t s = 0; s < all.n[3]; s++)
-          on += region_has_wall(where, &all.walls[r][k]) && all.nodes[3][s].n && region_has_wall(s, &all.walls[r][k]);
         ck_assert_int_eq(status, GMDS_ERR_CONFLICT);
+        ck_assert(is_crowded(where));
         return 0;
       }
       if (status == GMDS_OK)
