@@ -92,7 +92,8 @@ static gmds_status check_region(const gmds_complex *c, size_t r, gmds_error *err
     return gmds_fail(error, GMDS_ERR_ARGUMENT, "region %zu has %zu nodes, a %s has %u", r, n, gmds_cell_type_text(type),
                      s->nodes);
   if (n && !s && (type != GMDS_POLYHEDRON || !c->walls.begin))
-    return gmds_fail(error, GMDS_ERR_ARGUMENT, "region %zu is neither a region with a shape nor a polyhedron with faces", r);
+    return gmds_fail(error, GMDS_ERR_ARGUMENT,
+                     "region %zu is neither a region with a shape nor a polyhedron with faces", r);
   size_t walls = n && !s ? row(&c->walls, r, &faces) : 0;
   for (size_t k = 0; k < walls; k++)
     if (faces[k] >= c->nodes[2].n || !row(&c->nodes[2], faces[k], &around))
@@ -112,6 +113,9 @@ static gmds_status check_nodes(const gmds_complex *c, gmds_error *error)
         if (nodes[k] >= c->n_nodes)
           return gmds_fail(error, GMDS_ERR_CELL, "%s %zu has node %lu, which does not exist", word[i], x,
                            (unsigned long)nodes[k]);
+      if (n && (i == 1 ? n != 2 : n < 3))
+        return gmds_fail(error, GMDS_ERR_ARGUMENT, "%s %zu has %zu nodes, %s", word[i], x, n,
+                         i == 1 ? "an edge has two" : "which is too few");
       if (i == 3)
         GMDS_TRY(check_region(c, x, error));
     }
@@ -420,9 +424,9 @@ gmds_status gmds_complex_make(gmds_complex *c, int edges, int faces, gmds_error 
 /* What is needed to list the cells of one cell after the other. */
 typedef struct listing {
   const gmds_complex *c;
-  int aligned; /* 2: 3 -> 3 as 4 * region + face */
-  gmds_csr up;    /* i = j: the cells that each node, number of an edge, or group of a face has */
-  gmds_id *met;   /* i = j: the last cell that met this one */
+  int aligned;  /* 2: 3 -> 3 as 4 * region + face */
+  gmds_csr up;  /* i = j: the cells that each node, number of an edge, or group of a face has */
+  gmds_id *met; /* i = j: the last cell that met this one */
   size_t *where;
   gmds_ids list;
 } listing;

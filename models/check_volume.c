@@ -147,7 +147,8 @@ static gmds_status check_told(const gmds_stored_relations *all, const gmds_compl
   const gmds_id *of = i == 1 ? c->edge_of : c->face_of;
   for (size_t k = 0; k < n; k++)
     if (of[k] == GMDS_NONE && i == 1)
-      return gmds_fail(error, GMDS_ERR_INVARIANT, "no edge joins nodes %lu and %lu, though a cell has them side by side",
+      return gmds_fail(error, GMDS_ERR_INVARIANT,
+                       "no edge joins nodes %lu and %lu, though a cell has them side by side",
                        (unsigned long)c->sides.nodes[2 * k], (unsigned long)c->sides.nodes[2 * k + 1]);
   for (size_t r = 0; i == 2 && r + 1 < c->nodes[3].n + 1; r++)
     for (size_t w = c->first_wall[r]; w < c->first_wall[r + 1]; w++)
@@ -159,7 +160,8 @@ static gmds_status check_told(const gmds_stored_relations *all, const gmds_compl
       continue;
     const gmds_id same = i == 1 ? of[c->sides.edges[c->rows.begin[x]]] : of[c->group[x]];
     if (same != x)
-      return gmds_fail(error, GMDS_ERR_INVARIANT, "%ss %lu and %zu have the same nodes", word[i], (unsigned long)same, x);
+      return gmds_fail(error, GMDS_ERR_INVARIANT, "%ss %lu and %zu have the same nodes", word[i], (unsigned long)same,
+                       x);
   }
   return GMDS_OK;
 }

@@ -267,8 +267,7 @@ void subject_remove_edge(subject *s, gmds_id e, gmds_around around)
   while (subject_again(s, status));
   if (is_unsupported(s, status))
     return;
-  expect(s, status, around == GMDS_REFUSE && above(s, 1, e) ? GMDS_ERR_CONFLICT : GMDS_OK, 0, 0,
-         "removal of an edge");
+  expect(s, status, around == GMDS_REFUSE && above(s, 1, e) ? GMDS_ERR_CONFLICT : GMDS_OK, 0, 0, "removal of an edge");
   if (status == GMDS_OK)
     reference_remove(&s->ref, 1, e);
 }
