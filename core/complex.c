@@ -113,6 +113,9 @@ static gmds_status check_nodes(const gmds_complex *c, gmds_error *error)
         if (nodes[k] >= c->n_nodes)
           return gmds_fail(error, GMDS_ERR_CELL, "%s %zu has node %lu, which does not exist", word[i], x,
                            (unsigned long)nodes[k]);
+      if (n && (i == 1 ? n != 2 : n < 3))
+        return gmds_fail(error, GMDS_ERR_ARGUMENT, "%s %zu has %zu nodes, %s", word[i], x, n,
+                         i == 1 ? "an edge has two" : "which is too few");
       if (i == 3)
         GMDS_TRY(check_region(c, x, error));
     }

@@ -40,8 +40,8 @@ void gmds_complex_init(gmds_complex *complex, gmds_memory *memory, size_t n_node
 void gmds_complex_clear(gmds_complex *complex);
 
 /* Finds which edges and faces are the same. After it the lists of nodes must not change.
- * GMDS_OK; GMDS_ERR_CELL (a face or region has a node that does not exist, or a polyhedron a face), GMDS_ERR_ARGUMENT (a
- * region has not as many nodes as its type, or the faces of a polyhedron do not close: an edge is not on two of them, or one
+ * GMDS_OK; GMDS_ERR_CELL (a face or region has a node that does not exist, or a polyhedron a face), GMDS_ERR_ARGUMENT (an
+ * edge has not two nodes, a face fewer than three, a region not as many as its type, or the faces of a polyhedron do not close: an edge is not on two of them, or one
  * is there twice), both with a sentence; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY. O(entries), times a logarithm in polyhedra. */
 gmds_status gmds_complex_join(gmds_complex *complex, gmds_error *error);
 

@@ -98,7 +98,8 @@ static inline gmds_status list_cells(const mesh *m, gmds_complex *c)
   GMDS_TRY(all_adj_3_0(m, &c->nodes[3]));
 #    if !GMDS_ORDERED_3_0 && GMDS__TETRAHEDRA
   for (gmds_id r = next_3(m, 0); r != GMDS_NONE; r = next_3(m, r + 1))
-    turn_outwards(m, GMDS_TETRAHEDRON, c->nodes[3].data + c->nodes[3].begin[r]);
+    if (c->nodes[3].begin[r + 1] - c->nodes[3].begin[r] == 4) /* a mesh that is checked may lack one */
+      turn_outwards(m, GMDS_TETRAHEDRON, c->nodes[3].data + c->nodes[3].begin[r]);
 #    endif
 #  else
   GMDS_TRY(list_corners(m, c));

@@ -336,6 +336,19 @@ static void compare_aligned(const gmds_csr *csr, int i, int j)
   }
 }
 
+/* Whether a region has a face that two others have too. */
+static int is_crowded(size_t r)
+{
+  for (size_t k = 0; k < all.n_walls[r]; k++) {
+    size_t on = 0;
+    for (size_t s = 0; s < all.n[3]; s++)
+      on += all.nodes[3][s].n && region_has_wall(s, &all.walls[r][k]);
+    if (on > 2)
+      return 1;
+  }
+  return 0;
+}
+
 /* What lies beyond each face; 0 where more than two regions share one. */
 static int compare_beyond(const gmds_csr *csr, gmds_status status, size_t where, int coded)
 {
@@ -350,10 +363,8 @@ static int compare_beyond(const gmds_csr *csr, gmds_status status, size_t where,
             others++;
           }
       if (others > 1) {
-        size_t on = 0;
-        for (size_t s = 0; s < all.n[3]; s++)
-          on += region_has_wall(where, &all.walls[r][k]) && all.nodes[3][s].n && region_has_wall(s, &all.walls[r][k]);
         ck_assert_int_eq(status, GMDS_ERR_CONFLICT);
+        ck_assert(is_crowded(where));
         return 0;
       }
       if (status == GMDS_OK)
@@ -800,6 +811,30 @@ START_TEST(edges_and_faces_that_are_listed_twice_are_one)
 }
 END_TEST
 
+START_TEST(an_edge_has_two_nodes)
+{
+  static const gmds_id nodes[] = {0, 1, 2};
+  for (size_t n = 1; n < 4; n++) {
+    gmds_complex c;
+    gmds_error error = {.status = GMDS_OK};
+    gmds_memory_init(&memory, NULL);
+    gmds_complex_init(&c, &memory, 3);
+    ck_assert_int_eq(gmds_csr_begin(&c.nodes[1], 1), GMDS_OK);
+    c.nodes[1].begin[1] = n;
+    ck_assert_int_eq(gmds_csr_finish(&c.nodes[1]), GMDS_OK);
+    memcpy(c.nodes[1].data, nodes, n * sizeof *nodes);
+    for (int i = 2; i < 4; i++) {
+      ck_assert_int_eq(gmds_csr_begin(&c.nodes[i], 0), GMDS_OK);
+      ck_assert_int_eq(gmds_csr_finish(&c.nodes[i]), GMDS_OK);
+    }
+    ck_assert_int_eq(gmds_complex_join(&c, &error), n == 2 ? GMDS_OK : GMDS_ERR_ARGUMENT);
+    ck_assert(n == 2 || strstr(error.text, "an edge has two"));
+    gmds_complex_clear(&c);
+    ck_assert_uint_eq(memory.live, 0);
+  }
+}
+END_TEST
+
 START_TEST(a_volume_that_is_wrong_is_not_written)
 {
   gmds_soup soup, out;
@@ -822,6 +857,10 @@ START_TEST(a_volume_that_is_wrong_is_not_written)
   ck_assert_int_eq(gmds_volume_to_soup(&volume, &out, &error), GMDS_ERR_ARGUMENT);
   ck_assert_msg(strstr(error.text, "region 0 has 4 nodes") != NULL, "%s", error.text);
   volume.complex.types[0] = GMDS_TETRAHEDRON;
+  volume.complex.nodes[2].begin[1] = 2;
+  ck_assert_int_eq(gmds_volume_to_soup(&volume, &out, &error), GMDS_ERR_ARGUMENT);
+  ck_assert_msg(strstr(error.text, "face 0 has 2 nodes, which is too few") != NULL, "%s", error.text);
+  volume.complex.nodes[2].begin[1] = 3;
   ck_assert_int_eq(gmds_attribute_add(&volume.cells[2], "heat", GMDS_INT, 1, &a), GMDS_OK);
   ck_assert_int_eq(gmds_attribute_add(&volume.cells[3], "heat", GMDS_DOUBLE, 1, &a), GMDS_OK);
   ck_assert_int_eq(gmds_volume_to_soup(&volume, &out, &error), GMDS_ERR_CONFLICT);
@@ -866,5 +905,5 @@ RUN_SUITE("complexes", relations_are_those_of_the_definition, aligned_relations_
           what_is_made_is_what_was_missing, shapes_are_closed_and_face_outwards,
           a_shape_is_found_from_its_faces_in_any_order, what_are_no_faces_of_a_shape_is_refused,
           a_soup_with_a_wrong_cell_is_refused, a_polyhedron_that_does_not_close_is_refused,
-          edges_and_faces_that_are_listed_twice_are_one, a_volume_that_is_wrong_is_not_written,
+          edges_and_faces_that_are_listed_twice_are_one, an_edge_has_two_nodes, a_volume_that_is_wrong_is_not_written,
           a_model_names_the_region_that_it_cannot_hold)
