@@ -2,7 +2,7 @@
 """Table 4 and Figure 8 of "A generic and flexible framework for 2D and 3D multi-model meshes", and more of the same: time
 and memory of one Bowyer-Watson text per mesh model, made by `gmds sweep` alone.
 
-    bench/models.py [--build DIR] [--out DIR] [--runs N] [--large POINTS]
+    bench/models.py [--dim 2|3] [--build DIR] [--out DIR] [--runs N] [--large POINTS]
 
 Writes to DIR (default out/models):
     table4.csv     the 17 models of Table 4 at 1225 points, the paper's seconds and bytes beside ours
@@ -10,6 +10,7 @@ Writes to DIR (default out/models):
                    took more than a quarter of a second drops out of the next size
     models.svg     time against bytes, one dot a model, at 1225 and 400,000 points, the Pareto front named
     figure8.svg    time and bytes against the number of points
+In space only figure8.csv, the named models F1 to F6, R1 to R4 and N|R|R2N|R2R at 500, 1,000, ... 16,000 points.
 Seconds are medians of N sweeps (default 5), one model at a time. Needs python3-matplotlib."""
 import argparse
 import csv
@@ -39,6 +40,7 @@ PAPER = {
     "N|E|F|E2N|F2E": (2129, 1454080), "N|E|F|E2N|F2E|F2F": (2243, 1499136)}
 BORROWED = ["N|F|F2N +N2F", "N|F|F2N +F2F", "N|F|N2F +F2N"]
 SIZES = [2500, 5000, 10000, 20000, 40000]
+SPACE_SIZES = [500, 1000, 2000, 4000, 8000, 16000]
 PATIENCE = 0.25  # seconds after which a model drops out of the next size
 
 
@@ -47,8 +49,8 @@ def sweep(options, points, models):
     seconds, rows = {}, {}
     for _ in range(options.runs):
         path = os.path.join(options.out, "sweep.tmp.csv")
-        subprocess.run([os.path.join(options.build, "bin", "gmds"), "sweep", "--points", f"random:{points}:1", "--models",
-                        models, "--csv", path], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([os.path.join(options.build, "bin", "gmds"), "sweep", "--dim", str(options.dim), "--points",
+                        f"random:{points}:1", "--models", models, "--csv", path], check=True, stdout=subprocess.DEVNULL)
         with open(path, newline="") as file:
             for row in csv.DictReader(file):
                 if row["status"] != "ok":
@@ -100,14 +102,39 @@ def plot_models(axes, rows, title):
     axes.legend(frameon=False, fontsize=7)
 
 
+def print_front(rows):
+    print(f"{rows[0]['points']} points, {len(rows)} models; Pareto front:")
+    for row in pareto(rows):
+        print(f"    {row['model']}: {row['seconds'] * 1e3:.2f} ms, {row['bytes']} bytes")
+
+
+def scale(options, models, sizes):
+    """A sweep for each size, of the models that the size before left."""
+    scaling = []
+    for points in sizes:
+        rows = sweep(options, points, models)
+        scaling.append(rows)
+        models = ",".join(row["model"] for row in rows if row["seconds"] < PATIENCE)
+        if not models:
+            break
+    write_csv(options, "figure8.csv", [row for rows in scaling for row in rows],
+              ["model", "points", "cells", "seconds", "bytes", "peak_bytes", "checksum"])
+    return scaling
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--dim", type=int, choices=(2, 3), default=2)
     parser.add_argument("--build", default="build")
     parser.add_argument("--out", default="out/models")
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--large", type=int, default=400000, help="the largest number of points (default 400000)")
     options = parser.parse_args()
     os.makedirs(options.out, exist_ok=True)
+    if options.dim == 3:
+        for rows in scale(options, "named", SPACE_SIZES):
+            print_front(rows)
+        return
 
     table4 = sweep(options, 1225, "table4")
     for row in table4:
@@ -118,13 +145,7 @@ def main():
 
     everything = sweep(options, 1225, "all")
     models = [row["model"] for row in everything] + BORROWED
-    scaling = []
-    for points in SIZES + [options.large]:
-        rows = sweep(options, points, ",".join(models))
-        models = [row["model"] for row in rows if row["seconds"] < PATIENCE]
-        scaling.append(rows)
-    write_csv(options, "figure8.csv", [row for rows in scaling for row in rows],
-              ["model", "points", "cells", "seconds", "bytes", "peak_bytes", "checksum"])
+    scaling = scale(options, ",".join(models), SIZES + [options.large])
 
     figure, axes = plt.subplots(1, 2, figsize=(10, 4.4))
     plot_models(axes[0], everything, f"all {len(everything)} models, 1225 points")
@@ -149,9 +170,7 @@ def main():
     figure.savefig(os.path.join(options.out, "figure8.svg"), metadata={"Date": None})
 
     for rows in [everything] + scaling:
-        print(f"{rows[0]['points']} points, {len(rows)} models; Pareto front:")
-        for row in pareto(rows):
-            print(f"    {row['model']}: {row['seconds'] * 1e3:.2f} ms, {row['bytes']} bytes")
+        print_front(rows)
 
 
 if __name__ == "__main__":

@@ -131,8 +131,9 @@ void gmds_rows_release(gmds_rows *rows, size_t r);            /* empties it and 
 void gmds_rows_move(gmds_rows *rows, size_t from, size_t to); /* row `to` has no block, `from` has none any more */
 
 /* Appends to `list` the cells that occur in at least `times` (1 or more) of the rows list[first] to list[last - 1], once
- * each: Keep_times o Adj, for rows that are sets. For times > 1 the longest row is looked up in, never listed.
- * GMDS_OK or GMDS_ERR_MEMORY (what was appended is cut off again). O(total length of the other rows). */
+ * each: Keep_times o Adj, for rows that are sets. The longest times - 1 rows (at most three) are looked up
+ * in, never listed. GMDS_OK or GMDS_ERR_MEMORY (what was appended is cut off again). O(total length of the other rows),
+ * each entry looked up in all. */
 gmds_status gmds_rows_meet(const gmds_rows *rows, size_t first, size_t last, size_t times, gmds_ids *list);
 
 /* Packs the pool in the order of the rows, nothing spare. GMDS_OK or GMDS_ERR_MEMORY (unchanged). O(everything). */

@@ -193,12 +193,13 @@ static inline gmds_status checksum(const mesh *m, gmds_memory *memory, uint64_t 
 
 /* ---- the cavity operator
 
- * Replaces n_regions tetrahedra by the n_walls tetrahedra (node[0], node[1], node[2], apex) of the walls of the cavity that
- * they make (topology.h): ids[0 .. n_regions), which has room for n_walls. The apex is a node that nothing is on. What the model keeps of edges and faces goes with the
- * cavity and comes with the star. ids[i] receives the tetrahedron on wall i; identifiers are used again. That cavity and
- * walls are what they are said to be is not checked. GMDS_OK; GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY: in models with
- * GMDS_CONCURRENT_STARS nothing has changed, in others the mesh is valid, but the cavity may be gone. Nothing is looked up
- * in the former; in others as add_tetrahedron for each. In models that hold tetrahedra (GMDS_STARS). */
+ * Replaces the tetrahedra ids[0 .. n_regions), a cavity, by the n_walls tetrahedra (node[0], node[1], node[2], apex) of its
+ * walls (topology.h). The apex is a node that nothing is on. What the model keeps of edges and faces goes with the cavity
+ * and comes with the star. ids, which has room for both, receives the tetrahedron on each wall; identifiers are used again.
+ * That cavity and walls are what they are said to be is not checked. GMDS_OK; GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY: where
+ * all regions are tetrahedra, R2N is stored and neither edges nor faces are kept, nothing has changed; in other models the
+ * mesh is valid, but the cavity may be gone. In the former the cost is that of the rows of the nodes and nothing is looked
+ * up in the mesh; in others it is that of add_tetrahedron for each. In models that hold tetrahedra (GMDS_STARS). */
 #if GMDS_STARS
 static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, size_t n_walls, const gmds_cavity_wall *walls,
                                gmds_id *ids);
