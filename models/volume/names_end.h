@@ -315,6 +315,7 @@
 #undef GMDS__ROW2
 #undef GMDS__ROW3
 #undef GMDS__ROW4
+#undef GMDS__STARS_OF_REGIONS
 #undef GMDS__STAR_WIDTH
 #undef GMDS__STEP
 #undef GMDS__TELLS_EDGES
