@@ -219,10 +219,9 @@ static inline gmds_status fill_relations(mesh *m, const gmds_complex *c, gmds_er
   return status;
 }
 
-/* Makes the i-cells those of the complex, beside the attributes that they have. */
-static inline gmds_status take_cells(mesh *m, int i, const gmds_csr *nodes)
+/* Makes the cells of one dimension those of the complex, beside the attributes that they have. */
+static inline gmds_status take_cells(gmds_cells *cells, const gmds_csr *nodes)
 {
-  gmds_cells *cells = &m->cells[i];
   if (nodes->n > cells->limit)
     return GMDS_ERR_TOO_MANY;
   if (nodes->n <= cells->end)
@@ -246,7 +245,7 @@ static inline gmds_status fill_from_complex(mesh *m, gmds_complex *c, gmds_error
   GMDS_TRY(gmds_complex_make(c, GMDS__MAKES_EDGES, GMDS__MAKES_FACES, error));
   for (int i = 1; i < 4; i++) {
     const int keeps = i == 1 ? GMDS__MAKES_EDGES : i == 2 ? GMDS__MAKES_FACES : 1;
-    gmds_status status = keeps ? take_cells(m, i, &c->nodes[i]) : GMDS_OK;
+    gmds_status status = keeps ? take_cells(&m->cells[i], &c->nodes[i]) : GMDS_OK;
     if (status != GMDS_OK)
       return gmds_fail(error, status, "%zu cells of dimension %d: %s", c->nodes[i].n, i, gmds_status_text(status));
   }
