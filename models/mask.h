@@ -130,7 +130,8 @@ enum { GMDS_FN(model) = (GMDS_MODEL) };
 #    define GMDS_REGIONS (TETRAHEDRON | PYRAMID | PRISM | HEXAHEDRON)
 #  endif
 #  if (GMDS_REGIONS) <= 0 || (GMDS_REGIONS) > 31
-#    error "gmds: GMDS_REGIONS must be TETRAHEDRON, PYRAMID, PRISM, HEXAHEDRON, POLYHEDRON, or several with | between them"
+#    error \
+        "gmds: GMDS_REGIONS must be TETRAHEDRON, PYRAMID, PRISM, HEXAHEDRON, POLYHEDRON, or several with | between them"
 #    undef GMDS_REGIONS
 #    define GMDS_REGIONS TETRAHEDRON /* so that nothing more is said */
 #  endif

@@ -55,7 +55,7 @@
 /* What is known of a cell's own cells by their nodes: the sides of a face, the faces (walls) of a region. */
 #define GMDS__KNOWS_SIDES (GMDS__SIMPLICIAL || GMDS__S_2_0)
 #define GMDS__KNOWS_BORDERS (GMDS__KNOWS_SIDES || (GMDS__K_3 && GMDS__LINKED_1_2)) /* of a face and an edge */
-#define GMDS__KNOWS_WALLS                                                                    \
+#define GMDS__KNOWS_WALLS                                                                   \
   (GMDS__TETRAHEDRA || (GMDS__S_3_0 && !GMDS__POLYHEDRA) || (GMDS__S_3_2 && GMDS__S_2_0) || \
    (GMDS__S_3_1 && GMDS__S_1_0 && !GMDS__POLYHEDRA))
 
@@ -83,7 +83,8 @@
   ((GMDS__ROW_3_1 != 3 || GMDS__KNOWS_WALLS || GMDS__LINKED_1_3 || (GMDS__LINKED_2_3 && GMDS__KNOWS_BORDERS)) && \
    (GMDS__ROW_3_1 != 4 || GMDS__KNOWS_WALLS || GMDS__LINKED_1_3 || GMDS__KNOWS_BORDERS))
 #define GMDS__EXACT_3_2 (GMDS__ROW_3_2 < 2 || GMDS__KNOWS_WALLS || GMDS__LINKED_2_3)
-#define GMDS__EXACT_3_3 ((GMDS__ROW_3_3 != 3 && GMDS__ROW_3_3 != 4 && GMDS__ROW_3_3 != 9) || GMDS__KNOWS_WALLS || GMDS__LINKED_2_3)
+#define GMDS__EXACT_3_3 \
+  ((GMDS__ROW_3_3 != 3 && GMDS__ROW_3_3 != 4 && GMDS__ROW_3_3 != 9) || GMDS__KNOWS_WALLS || GMDS__LINKED_2_3)
 #define GMDS__CAN_0_0 (GMDS__PATH_0_0 != 0 && GMDS__EXACT_0_0)
 #define GMDS__CAN_0_1 (GMDS__PATH_0_1 != 0 && GMDS__EXACT_0_1)
 #define GMDS__CAN_0_2 (GMDS__PATH_0_2 != 0 && GMDS__EXACT_0_2)
@@ -126,10 +127,10 @@
       GMDS_PREFIX) "' cannot answer " #i "->" #j ": add " advice \
                    " to GMDS_MODEL (the inverse of a relation will do, at the cost of a traversal)")
 #if GMDS__K_3
-#  define GMDS__UNDECIDED(i, j)                                                                                       \
-    GMDS_UNAVAILABLE("gmds: model '" GMDS_TEXT(GMDS_PREFIX) "' cannot decide " #i "->" #j                             \
+#  define GMDS__UNDECIDED(i, j)                                                                                        \
+    GMDS_UNAVAILABLE("gmds: model '" GMDS_TEXT(GMDS_PREFIX) "' cannot decide " #i "->" #j                              \
                                                             " on cells that are no simplices: add R2N (where it asks " \
-                                                            "for faces, F2N) to GMDS_MODEL, or define GMDS_REGIONS "  \
+                                                            "for faces, F2N) to GMDS_MODEL, or define GMDS_REGIONS "   \
                                                             "TETRAHEDRON")
 #else
 #  define GMDS__UNDECIDED(i, j)                    \
@@ -176,11 +177,11 @@
 #  define GMDS_ORDERED_3_0 (!GMDS__POLYHEDRA && (GMDS__S_3_0 || (GMDS__S_3_1 && GMDS__S_1_0)))
 #  define GMDS_HAS_TETRAHEDRA GMDS__HAS_TETRAHEDRA
 #  define GMDS_ACROSS (GMDS__TETRAHEDRA && GMDS__S_3_0 && GMDS__S_3_3)
-#  define GMDS_CONCURRENT_STARS                                                                               \
+#  define GMDS_CONCURRENT_STARS \
     (GMDS__TETRAHEDRA && GMDS__S_3_0 && GMDS__S_3_3 && !GMDS__K_1 && !GMDS__K_2 && !GMDS__S_0_0 && !GMDS__S_0_3)
 #else
 #  define GMDS_TOP 2
-#  define GMDS_ACROSS                                                                                        \
+#  define GMDS_ACROSS \
     (GMDS_ORDERED_2_0 && (GMDS__S_2_2 || (GMDS__S_2_1 && GMDS__S_1_2) || GMDS__S_0_2 || (GMDS__S_0_1 && GMDS__S_1_2)))
 #  define GMDS_CONCURRENT_STARS \
     (GMDS__TRIANGLES && GMDS__CODED && !GMDS__K_1 && !GMDS__S_0_0 && !GMDS__S_0_1 && !GMDS__S_0_2)

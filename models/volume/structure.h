@@ -5,11 +5,11 @@
  *   set       rows of a pool, in no order      ordered   rows of a pool, an entry for each node, edge or face of the cell
  *   pairs     two inline as a rule (F2R)       inline    columns of fixed arity, where all cells have the same type
  * GMDS__KIND_i_j: 1 rows, 2 pairs, 3 inline. */
-#define GMDS__EACH_SET(X)                                                                                       \
-  GMDS__IF_0_0(X(0, 0))                                                                                         \
-  GMDS__IF_0_1(X(0, 1))                                                                                         \
-  GMDS__IF_0_2(X(0, 2)) GMDS__IF_0_3(X(0, 3)) GMDS__IF_1_1(X(1, 1)) GMDS__IF_1_2(X(1, 2)) GMDS__IF_1_3(X(1, 3)) \
-      GMDS__IF_2_2(X(2, 2))
+#define GMDS__EACH_SET(X) \
+  GMDS__IF_0_0(X(0, 0))   \
+  GMDS__IF_0_1(X(0, 1))   \
+  GMDS__IF_0_2(X(0, 2))   \
+  GMDS__IF_0_3(X(0, 3)) GMDS__IF_1_1(X(1, 1)) GMDS__IF_1_2(X(1, 2)) GMDS__IF_1_3(X(1, 3)) GMDS__IF_2_2(X(2, 2))
 #define GMDS__EACH_PAIRS(X) GMDS__IF_2_3(X(2, 3))
 #define GMDS__EACH_OF_FACES(X) GMDS__IF_2_0(X(2, 0)) GMDS__IF_2_1(X(2, 1))
 #define GMDS__EACH_OF_REGIONS(X) GMDS__IF_3_0(X(3, 0)) GMDS__IF_3_1(X(3, 1)) GMDS__IF_3_2(X(3, 2)) GMDS__IF_3_3(X(3, 3))

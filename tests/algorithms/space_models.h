@@ -42,7 +42,8 @@
 #include "algorithms/space_model.h"
 
 #define RUN whole
-#define GMDS_MODEL (N | E | F | R | N2N | N2E | N2F | N2R | E2N | E2E | E2F | E2R | F2N | F2E | F2F | F2R | R2N | R2E | R2F | R2R)
+#define GMDS_MODEL \
+  (N | E | F | R | N2N | N2E | N2F | N2R | E2N | E2E | E2F | E2R | F2N | F2E | F2F | F2R | R2N | R2E | R2F | R2R)
 #define GMDS_REGIONS (TETRAHEDRON | PYRAMID | PRISM | HEXAHEDRON | POLYHEDRON)
 #include "algorithms/space_model.h"
 

@@ -36,10 +36,10 @@ static gmds_cell_type GMDS_FN(do_type)(const void *m, gmds_id r)
   return region_type(m, r);
 }
 
-#define TEST_PAIRS(X)                                                                                             \
-  X(0, 0)                                                                                                         \
-  X(0, 1) X(0, 2) X(0, 3) X(1, 0) X(1, 1) X(1, 2) X(1, 3) X(2, 0) X(2, 1) X(2, 2) X(2, 3) X(3, 0) X(3, 1) X(3, 2) \
-      X(3, 3)
+#define TEST_PAIRS(X) \
+  X(0, 0)             \
+  X(0, 1)             \
+  X(0, 2) X(0, 3) X(1, 0) X(1, 1) X(1, 2) X(1, 3) X(2, 0) X(2, 1) X(2, 2) X(2, 3) X(3, 0) X(3, 1) X(3, 2) X(3, 3)
 static gmds_status GMDS_FN(do_query)(const void *m, int i, int j, gmds_id c, gmds_ids *out)
 {
   switch (4 * i + j) {
