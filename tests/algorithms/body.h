@@ -44,7 +44,7 @@ static void OF(renumber_all)(OF(mesh) * m, failing *from, int inject)
   }
   const size_t live = from->live;
   gmds_status status = GMDS_ERR_MEMORY;
-  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+  for (long k = inject ? 0 : LONG_MAX - 1; status == GMDS_ERR_MEMORY; k++) {
     from->until = k;
     status = OF(renumber)(m, maps, NULL);
     ck_assert(status == GMDS_OK || (from->live == live && m->memory.live == live));
@@ -78,7 +78,7 @@ static void OF(run)(const gmds_soup *soup, int inject, outcome *o)
   ck_assert_msg(OF(from_soup)(&m, soup, &error) == GMDS_OK, "%s", error.text);
   size_t live = m.memory.live;
   gmds_status status = GMDS_ERR_MEMORY;
-  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+  for (long k = inject ? 0 : LONG_MAX - 1; status == GMDS_ERR_MEMORY; k++) {
     from.until = k;
     status = OF(boundary)(&m, &o->chains, &o->open);
     ck_assert(status == GMDS_OK || !o->chains.begin);
@@ -87,7 +87,7 @@ static void OF(run)(const gmds_soup *soup, int inject, outcome *o)
   ck_assert_int_eq(status, GMDS_OK);
   status = GMDS_ERR_MEMORY;
   o->component = calloc(soup->n_cells + 1, sizeof *o->component);
-  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+  for (long k = inject ? 0 : LONG_MAX - 1; status == GMDS_ERR_MEMORY; k++) {
     from.until = k;
     status = OF(components)(&m, o->component, &o->count);
     ck_assert(status == GMDS_OK || !o->component[0]);
@@ -96,7 +96,7 @@ static void OF(run)(const gmds_soup *soup, int inject, outcome *o)
   ck_assert_int_eq(status, GMDS_OK);
   status = GMDS_ERR_MEMORY;
   o->ordered = OF(is_ordered);
-  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+  for (long k = inject ? 0 : LONG_MAX - 1; status == GMDS_ERR_MEMORY; k++) {
     from.until = k;
     status = OF(manifold)(&m, &o->report);
     ck_assert(status == GMDS_OK || !o->report.faces);
@@ -105,7 +105,7 @@ static void OF(run)(const gmds_soup *soup, int inject, outcome *o)
   ck_assert_int_eq(status, GMDS_OK);
   status = GMDS_ERR_MEMORY;
   o->values = calloc(2 * soup->n_cells + 2, sizeof *o->values);
-  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+  for (long k = inject ? 0 : LONG_MAX - 1; status == GMDS_ERR_MEMORY; k++) {
     from.until = k;
     status = OF(quality)(&m, o->values, o->values + soup->n_cells, &o->summary);
     ck_assert(status == GMDS_OK || !o->summary.cells);
@@ -113,14 +113,14 @@ static void OF(run)(const gmds_soup *soup, int inject, outcome *o)
   }
   ck_assert_int_eq(status, GMDS_OK);
   status = GMDS_ERR_MEMORY;
-  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+  for (long k = inject ? 0 : LONG_MAX - 1; status == GMDS_ERR_MEMORY; k++) {
     from.until = k;
     status = OF(relate)(&m, soup->n_cells < 60 && !inject);
     ck_assert_uint_eq(m.memory.live, live);
   }
   ck_assert_int_eq(status, GMDS_OK);
   status = GMDS_ERR_MEMORY;
-  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+  for (long k = inject ? 0 : LONG_MAX - 1; status == GMDS_ERR_MEMORY; k++) {
     from.until = k;
     status = OF(smooth)(&m, SWEEPS, &o->moved);
     ck_assert(status == GMDS_OK || memcmp(m.points, soup->points, 2 * soup->n_points * sizeof(double)) == 0);

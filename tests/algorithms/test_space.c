@@ -138,7 +138,7 @@ static void run(const subject *s, const gmds_soup *soup, const brute *b, int inj
     int untouched = 1;
     outcome own;
     outcome_begin(&own, soup);
-    for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+    for (long k = inject ? 0 : LONG_MAX - 1; status == GMDS_ERR_MEMORY; k++) {
       from.until = k;
       status = call(s, m, which, b, inject ? &own : o);
       untouched &= status == GMDS_OK || is_untouched(s, m, soup, &own);
@@ -703,7 +703,7 @@ static void renumber_one(const subject *s, const gmds_soup *soup, int inject, gm
   }
   const size_t live = from.live;
   gmds_status status = GMDS_ERR_MEMORY;
-  for (long k = inject ? 0 : LONG_MAX; status == GMDS_ERR_MEMORY; k++) {
+  for (long k = inject ? 0 : LONG_MAX - 1; status == GMDS_ERR_MEMORY; k++) {
     from.until = k;
     status = s->number(m, maps);
     if (status != GMDS_OK && (from.live != live || s->memory(m)->live != live))
