@@ -1,5 +1,7 @@
 /* Cell complexes: the same edges and faces found among lists of nodes, and all relations from them. */
+#include "sets.h"
 #include <gmds/complex.h>
+#include <stdio.h>
 #include <string.h>
 
 gmds_status gmds_csr_begin(gmds_csr *csr, size_t n)
@@ -23,13 +25,6 @@ gmds_status gmds_csr_finish(gmds_csr *csr)
   csr->data = data;
   csr->capacity = csr->begin[csr->n];
   return GMDS_OK;
-}
-
-static size_t row(const gmds_csr *csr, size_t r, const gmds_id **data)
-{
-  size_t n = csr->begin[r + 1] - csr->begin[r];
-  *data = n ? csr->data + csr->begin[r] : NULL;
-  return n;
 }
 
 void gmds_complex_init(gmds_complex *c, gmds_memory *memory, size_t n_nodes)
@@ -57,6 +52,7 @@ void gmds_complex_part(gmds_complex *c)
   gmds_release(c->memory, c->first_wall, c->first_wall ? c->nodes[3].n + 1 : 0, sizeof *c->first_wall);
   c->edge_of = c->face_of = c->group = NULL;
   c->first_wall = NULL;
+  c->crossed[0] = c->crossed[1] = 0;
   gmds_edge_table_clear(&c->sides);
   gmds_csr_clear(&c->rows);
 }
@@ -76,7 +72,7 @@ void gmds_complex_clear(gmds_complex *c)
 static size_t walls_of(const gmds_complex *c, size_t r)
 {
   const gmds_id *nodes = NULL;
-  if (!row(&c->nodes[3], r, &nodes))
+  if (!gmds_csr_row(&c->nodes[3], r, &nodes))
     return 0;
   const gmds_shape *s = gmds_shape_of((gmds_cell_type)c->types[r]);
   return s ? s->faces : c->walls.begin[r + 1] - c->walls.begin[r];
@@ -87,16 +83,16 @@ static gmds_status check_region(const gmds_complex *c, size_t r, gmds_error *err
   const gmds_id *nodes = NULL, *faces = NULL, *around = NULL;
   const gmds_cell_type type = (gmds_cell_type)c->types[r];
   const gmds_shape *s = gmds_shape_of(type);
-  size_t n = row(&c->nodes[3], r, &nodes);
+  size_t n = gmds_csr_row(&c->nodes[3], r, &nodes);
   if (n && s && n != s->nodes)
     return gmds_fail(error, GMDS_ERR_ARGUMENT, "region %zu has %zu nodes, a %s has %u", r, n, gmds_cell_type_text(type),
                      s->nodes);
   if (n && !s && (type != GMDS_POLYHEDRON || !c->walls.begin))
     return gmds_fail(error, GMDS_ERR_ARGUMENT,
                      "region %zu is neither a region with a shape nor a polyhedron with faces", r);
-  size_t walls = n && !s ? row(&c->walls, r, &faces) : 0;
+  size_t walls = n && !s ? gmds_csr_row(&c->walls, r, &faces) : 0;
   for (size_t k = 0; k < walls; k++)
-    if (faces[k] >= c->nodes[2].n || !row(&c->nodes[2], faces[k], &around))
+    if (faces[k] >= c->nodes[2].n || !gmds_csr_row(&c->nodes[2], faces[k], &around))
       return gmds_fail(error, GMDS_ERR_CELL, "region %zu has face %lu, which does not exist", r,
                        (unsigned long)faces[k]);
   return GMDS_OK;
@@ -108,7 +104,7 @@ static gmds_status check_nodes(const gmds_complex *c, gmds_error *error)
   for (int i = 1; i < 4; i++)
     for (size_t x = 0; x < c->nodes[i].n; x++) {
       const gmds_id *nodes = NULL;
-      size_t n = row(&c->nodes[i], x, &nodes);
+      size_t n = gmds_csr_row(&c->nodes[i], x, &nodes);
       for (size_t k = 0; k < n; k++)
         if (nodes[k] >= c->n_nodes)
           return gmds_fail(error, GMDS_ERR_CELL, "%s %zu has node %lu, which does not exist", word[i], x,
@@ -136,14 +132,14 @@ static gmds_status list_rows(gmds_complex *c)
   GMDS_TRY(gmds_csr_begin(&c->rows, edges + faces + c->first_wall[regions]));
   size_t *length = c->rows.begin + 1;
   for (size_t e = 0; e < edges; e++)
-    *length++ = row(&c->nodes[1], e, &nodes);
+    *length++ = gmds_csr_row(&c->nodes[1], e, &nodes);
   for (size_t f = 0; f < faces; f++)
-    *length++ = row(&c->nodes[2], f, &nodes);
+    *length++ = gmds_csr_row(&c->nodes[2], f, &nodes);
   for (size_t r = 0; r < regions; r++) {
     const gmds_shape *s = gmds_shape_of((gmds_cell_type)c->types[r]);
     const size_t n = walls_of(c, r);
     for (size_t k = 0; k < n; k++)
-      *length++ = s ? s->sides[k] : row(&c->nodes[2], c->walls.data[c->walls.begin[r] + k], &nodes);
+      *length++ = s ? s->sides[k] : gmds_csr_row(&c->nodes[2], c->walls.data[c->walls.begin[r] + k], &nodes);
   }
   GMDS_TRY(gmds_csr_finish(&c->rows));
   gmds_id *to = c->rows.data;
@@ -155,9 +151,9 @@ static gmds_status list_rows(gmds_complex *c)
   for (size_t r = 0; r < regions; r++) {
     const gmds_shape *s = gmds_shape_of((gmds_cell_type)c->types[r]);
     const size_t n = walls_of(c, r);
-    (void)row(&c->nodes[3], r, &own);
+    (void)gmds_csr_row(&c->nodes[3], r, &own);
     for (size_t k = 0; k < n; k++) {
-      size_t sides = s ? s->sides[k] : row(&c->nodes[2], c->walls.data[c->walls.begin[r] + k], &nodes);
+      size_t sides = s ? s->sides[k] : gmds_csr_row(&c->nodes[2], c->walls.data[c->walls.begin[r] + k], &nodes);
       for (size_t q = 0; q < sides; q++)
         *to++ = s ? own[s->face[k][q]] : nodes[q];
     }
@@ -167,67 +163,65 @@ static gmds_status list_rows(gmds_complex *c)
 
 /* ---- the same sets of nodes */
 
-static uint64_t mix(uint64_t z)
+/* Remembers the first face, of the complex or of a region, whose nodes another lists around in another order. */
+static void find_crossed(gmds_complex *c, const gmds_id *leader)
 {
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
-
-static int same_set(const gmds_id *a, const gmds_id *b, size_t n)
-{
-  for (size_t i = 0; i < n; i++) {
-    size_t k = 0;
-    while (k < n && b[k] != a[i])
-      k++;
-    if (k == n)
-      return 0;
+  const size_t first = c->nodes[1].n;
+  const gmds_id *nodes = NULL, *other = NULL;
+  c->crossed[0] = c->crossed[1] = 0;
+  for (size_t k = first; k < c->rows.n; k++) {
+    const size_t n = gmds_csr_row(&c->rows, k, &nodes), l = n ? first + leader[c->group[k - first]] : k;
+    if (n < 4 || l == k)
+      continue;
+    (void)gmds_csr_row(&c->rows, l, &other);
+    if (!gmds_same_cycle(nodes, other, n)) {
+      c->crossed[0] = l;
+      c->crossed[1] = k;
+      return;
+    }
   }
-  return 1;
 }
 
-/* Groups the rows from the first face on by their sets of nodes: open addressing, the key of a set a sum over its nodes. */
+/* Groups the rows from the first face on by their sets of nodes. */
 static gmds_status group_rows(gmds_complex *c)
 {
   const size_t first = c->nodes[1].n, n = c->rows.n - first;
-  size_t capacity = 16;
-  void *table_block = NULL, *leader_block = NULL, *group_block = NULL;
-  while (capacity < 2 * n)
-    capacity *= 2;
-  int ok = gmds_resize(c->memory, &table_block, 0, capacity, sizeof(gmds_id)) &&
-           gmds_resize(c->memory, &leader_block, 0, n, sizeof(size_t)) &&
-           gmds_resize(c->memory, &group_block, 0, n, sizeof(gmds_id));
-  if (ok) {
-    gmds_id *table = table_block, *group = group_block;
-    size_t *leader = leader_block; /* of each group a row */
-    memset(table, 0xff, capacity * sizeof *table);
-    c->n_groups = 0;
-    for (size_t k = 0; k < n; k++) {
-      const gmds_id *nodes = NULL, *other = NULL;
-      const size_t sides = row(&c->rows, first + k, &nodes);
-      uint64_t key = sides;
-      group[k] = GMDS_NONE;
-      if (!sides)
-        continue;
-      for (size_t q = 0; q < sides; q++)
-        key += mix((uint64_t)nodes[q] + 1);
-      size_t at = (size_t)mix(key) & (capacity - 1);
-      while (table[at] != GMDS_NONE &&
-             (row(&c->rows, leader[table[at]], &other) != sides || !same_set(nodes, other, sides)))
-        at = (at + 1) & (capacity - 1);
-      if (table[at] == GMDS_NONE) {
-        leader[c->n_groups] = first + k;
-        table[at] = (gmds_id)c->n_groups++;
-      }
-      group[k] = table[at];
-    }
-    c->group = group;
-    group_block = NULL;
+  void *leader = NULL, *group = NULL;
+  if (!gmds_resize(c->memory, &group, 0, n, sizeof(gmds_id)))
+    return GMDS_ERR_MEMORY;
+  c->group = group;
+  if (!gmds_resize(c->memory, &leader, 0, n, sizeof(gmds_id)))
+    return GMDS_ERR_MEMORY;
+  gmds_status status =
+      gmds_group_sets(c->n_nodes, n, c->rows.begin + first, c->rows.data, c->memory, c->group, leader, &c->n_groups);
+  if (status == GMDS_OK)
+    find_crossed(c, leader);
+  gmds_release(c->memory, leader, n, sizeof(gmds_id));
+  return status;
+}
+
+/* What row k is: a face of the complex, or one of a region. */
+static void name_row(const gmds_complex *c, size_t k, size_t size, char *text)
+{
+  const size_t first = c->nodes[1].n + c->nodes[2].n;
+  size_t r = 0;
+  if (k < first) {
+    snprintf(text, size, "face %zu", k - c->nodes[1].n);
+    return;
   }
-  gmds_release(c->memory, table_block, table_block ? capacity : 0, sizeof(gmds_id));
-  gmds_release(c->memory, leader_block, leader_block ? n : 0, sizeof(size_t));
-  gmds_release(c->memory, group_block, group_block ? n : 0, sizeof(gmds_id));
-  return ok ? GMDS_OK : GMDS_ERR_MEMORY;
+  while (c->first_wall[r + 1] <= k - first)
+    r++;
+  snprintf(text, size, "face %zu of region %zu", k - first - c->first_wall[r], r);
+}
+
+gmds_status gmds_complex_uncrossed(const gmds_complex *c, gmds_error *error)
+{
+  char a[80], b[80];
+  if (!c->crossed[1])
+    return GMDS_OK;
+  name_row(c, c->crossed[0], sizeof a, a);
+  name_row(c, c->crossed[1], sizeof b, b);
+  return gmds_fail(error, GMDS_ERR_CONFLICT, "%s has the nodes of %s, in another order around", b, a);
 }
 
 static gmds_status name_cells(gmds_complex *c)
@@ -361,7 +355,7 @@ static gmds_status make_faces(gmds_complex *c, size_t n_edges)
       const gmds_id g = c->group[k - n_edges];
       if (c->face_of[g] != GMDS_NONE || gmds_bits_get(&seen, g) != pass)
         continue;
-      size_t n = row(&c->rows, k, &around);
+      size_t n = gmds_csr_row(&c->rows, k, &around);
       if (pass) {
         size_t at = nodes->begin[made++];
         memcpy(nodes->data + at, around, n * sizeof *around);
@@ -397,24 +391,36 @@ static void shorten(gmds_csr *csr, size_t n)
   csr->n = n;
 }
 
+/* Joins the longer lists beside what was found of them before, which goes when that has succeeded. */
+static gmds_status join_again(gmds_complex *c, const size_t had[2], gmds_error *error)
+{
+  gmds_complex next = *c;
+  next.edge_of = next.face_of = next.group = NULL;
+  next.first_wall = NULL;
+  next.n_groups = 0;
+  gmds_csr_init(&next.rows, c->memory);
+  gmds_edge_table_init(&next.sides, c->memory);
+  GMDS_TRY(gmds_complex_join(&next, error));
+  c->nodes[1].n = had[0]; /* what was found before is as long as that was */
+  c->nodes[2].n = had[1];
+  gmds_complex_part(c);
+  *c = next;
+  return GMDS_OK;
+}
+
 gmds_status gmds_complex_make(gmds_complex *c, int edges, int faces, gmds_error *error)
 {
   const size_t had[2] = {c->nodes[1].n, c->nodes[2].n};
   gmds_status status = edges ? make_edges(c) : GMDS_OK;
   if (status == GMDS_OK && faces)
     status = make_faces(c, had[0]);
+  if (status != GMDS_OK)
+    gmds_fail(error, status, "making the edges and faces of %zu regions: %s", c->nodes[3].n, gmds_status_text(status));
+  else if (c->nodes[1].n != had[0] || c->nodes[2].n != had[1])
+    status = join_again(c, had, error);
   if (status != GMDS_OK) {
     shorten(&c->nodes[1], had[0]);
-    return gmds_fail(error, status, "making the edges and faces of %zu regions: %s", c->nodes[3].n,
-                     gmds_status_text(status));
+    shorten(&c->nodes[2], had[1]);
   }
-  if (c->nodes[1].n == had[0] && c->nodes[2].n == had[1])
-    return GMDS_OK;
-  const size_t now[2] = {c->nodes[1].n, c->nodes[2].n};
-  c->nodes[1].n = had[0]; /* what was found is as long as it was */
-  c->nodes[2].n = had[1];
-  gmds_complex_part(c);
-  c->nodes[1].n = now[0];
-  c->nodes[2].n = now[1];
-  return gmds_complex_join(c, error);
+  return status;
 }

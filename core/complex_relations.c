@@ -2,20 +2,13 @@
 #include <gmds/complex.h>
 #include <string.h>
 
-static size_t row(const gmds_csr *csr, size_t r, const gmds_id **data)
-{
-  size_t n = csr->begin[r + 1] - csr->begin[r];
-  *data = n ? csr->data + csr->begin[r] : NULL;
-  return n;
-}
-
 /* What is needed to list the cells of one cell after the other. */
 typedef struct listing {
   const gmds_complex *c;
   int aligned;  /* 2: 3 -> 3 as 4 * region + face */
   gmds_csr up;  /* i = j: the cells that each node, number of an edge, or group of a face has */
-  gmds_id *met; /* i = j: the last cell that met this one */
-  size_t *where;
+  gmds_id *met; /* the last cell that met this one; i = j: of the i-cells, 3 -> 1: of the edges */
+  size_t n_met, *where;
   gmds_ids list;
 } listing;
 
@@ -59,11 +52,11 @@ static gmds_status edges_of_region(listing *l, size_t r)
   if (!s || !l->aligned) {
     size_t kept = from; /* once each, in the order in which they come */
     for (size_t i = from; i < l->list.n; i++) {
-      size_t q = from;
-      while (q < kept && l->list.data[q] != l->list.data[i])
-        q++;
-      if (q == kept && l->list.data[i] != GMDS_NONE)
-        l->list.data[kept++] = l->list.data[i];
+      const gmds_id e = l->list.data[i];
+      if (e == GMDS_NONE || l->met[e] == r)
+        continue;
+      l->met[e] = (gmds_id)r;
+      l->list.data[kept++] = e;
     }
     l->list.n = kept;
   }
@@ -99,7 +92,7 @@ static gmds_status others(listing *l, size_t k, gmds_id x)
 static gmds_status edges_beside(listing *l, size_t e)
 {
   const gmds_id *ends = NULL;
-  size_t n = row(&l->c->nodes[1], e, &ends);
+  size_t n = gmds_csr_row(&l->c->nodes[1], e, &ends);
   for (size_t k = 0; k < n; k++)
     GMDS_TRY(others(l, ends[k], (gmds_id)e));
   return GMDS_OK;
@@ -173,7 +166,7 @@ static gmds_status copy_csr(const gmds_csr *from, gmds_csr *csr)
   const gmds_id *nodes = NULL;
   GMDS_TRY(gmds_csr_begin(csr, from->n));
   for (size_t x = 0; x < from->n; x++)
-    csr->begin[x + 1] = row(from, x, &nodes);
+    csr->begin[x + 1] = gmds_csr_row(from, x, &nodes);
   gmds_status status = gmds_csr_finish(csr);
   if (status != GMDS_OK)
     gmds_csr_clear(csr);
@@ -209,6 +202,19 @@ gmds_status gmds_complex_joined(const gmds_complex *c, int edges, int faces, gmd
   return status;
 }
 
+/* Marks for n cells that no cell has met. */
+static gmds_status begin_met(listing *l, size_t n)
+{
+  void *met = NULL;
+  if (!gmds_resize(l->c->memory, &met, 0, n, sizeof(gmds_id)))
+    return GMDS_ERR_MEMORY;
+  if (n)
+    memset(met, 0xff, n * sizeof(gmds_id));
+  l->met = met;
+  l->n_met = n;
+  return GMDS_OK;
+}
+
 /* Which cells each node, number of an edge or group of a face has: the inverse of rows that lie in `data`. */
 static gmds_status begin_beside(listing *l, int i)
 {
@@ -216,7 +222,6 @@ static gmds_status begin_beside(listing *l, int i)
   const size_t edges = c->nodes[1].n, faces = c->nodes[2].n;
   const size_t n = c->nodes[i].n, keys = i == 1 ? c->n_nodes : i == 2 ? c->sides.n : c->n_groups;
   gmds_csr rows = {.n = n, .begin = c->nodes[i].begin, .data = c->nodes[i].data};
-  void *met = NULL;
   if (i == 2) {
     rows.begin = c->rows.begin + edges;
     rows.data = c->sides.edges;
@@ -227,11 +232,7 @@ static gmds_status begin_beside(listing *l, int i)
   if (!n)
     return GMDS_OK;
   GMDS_TRY(gmds_invert_csr(&rows, keys, &l->up));
-  if (!gmds_resize(c->memory, &met, 0, n, sizeof(gmds_id)))
-    return GMDS_ERR_MEMORY;
-  memset(met, 0xff, n * sizeof(gmds_id));
-  l->met = met;
-  return GMDS_OK;
+  return begin_met(l, n);
 }
 
 gmds_status gmds_complex_relation(const gmds_complex *c, int i, int j, int aligned, gmds_csr *csr, size_t *where)
@@ -250,15 +251,17 @@ gmds_status gmds_complex_relation(const gmds_complex *c, int i, int j, int align
     status = gmds_complex_joined(c, 1, 1, csr);
   else if (j == 0)
     status = copy_csr(&c->nodes[i], csr);
-  else if (i != j)
-    status = list_all(&l, c->nodes[i].n, i == 2 ? sides_of_face : j == 1 ? edges_of_region : faces_of_region, csr);
-  else {
+  else if (i != j) {
+    status = i == 3 && j == 1 ? begin_met(&l, c->nodes[1].n) : GMDS_OK;
+    if (status == GMDS_OK)
+      status = list_all(&l, c->nodes[i].n, i == 2 ? sides_of_face : j == 1 ? edges_of_region : faces_of_region, csr);
+  } else {
     status = begin_beside(&l, i);
     if (status == GMDS_OK)
       status = list_all(&l, c->nodes[i].n, i == 1 ? edges_beside : i == 2 ? faces_beside : regions_beside, csr);
     gmds_csr_clear(&l.up);
-    gmds_release(c->memory, l.met, l.met ? c->nodes[i].n : 0, sizeof *l.met);
   }
+  gmds_release(c->memory, l.met, l.met ? l.n_met : 0, sizeof *l.met);
   gmds_ids_clear(&l.list);
   return status;
 }

@@ -21,18 +21,11 @@ static gmds_status violated(gmds_error *error, int i, int j, size_t c, const cha
   return GMDS_ERR_INVARIANT;
 }
 
-static size_t row(const gmds_csr *csr, size_t c, const gmds_id **data)
-{
-  const size_t n = csr->begin[c + 1] - csr->begin[c];
-  *data = n ? csr->data + csr->begin[c] : NULL;
-  return n;
-}
-
 /* The row of a cell, sorted, without repetition and without GMDS_NONE. */
 static gmds_status as_set(const gmds_csr *csr, size_t c, gmds_ids *list)
 {
   const gmds_id *data = NULL;
-  const size_t n = row(csr, c, &data);
+  const size_t n = gmds_csr_row(csr, c, &data);
   list->n = 0;
   for (size_t k = 0; k < n; k++)
     if (data[k] != GMDS_NONE)
@@ -47,7 +40,7 @@ static gmds_status check_row(const gmds_stored_relations *all, int i, int j, siz
                              gmds_error *error)
 {
   const gmds_id *data = NULL;
-  const size_t n = row(&all->relation[i][j], c, &data);
+  const size_t n = gmds_csr_row(&all->relation[i][j], c, &data);
   if (n && !gmds_bits_get(all->alive[i], c))
     return violated(error, i, j, c, "was deleted and still names", data[0]);
   list->n = 0;
@@ -111,8 +104,8 @@ static gmds_status compare_all(const gmds_stored_relations *all, int i, int j, c
     GMDS_TRY(as_set(expected, c, &lists[1]));
     GMDS_TRY(compare(i, j, c, &lists[0], &lists[1], error));
     const gmds_id *a = NULL, *b = NULL;
-    const size_t n = row(&all->relation[i][j], c, &a);
-    const size_t m = row(expected, c, &b);
+    const size_t n = gmds_csr_row(&all->relation[i][j], c, &a);
+    const size_t m = gmds_csr_row(expected, c, &b);
     for (size_t k = 0; positions && n == m && k < n; k++)
       if (a[k] != b[k])
         return violated(error, i, j, c, "has in the wrong place", a[k]);
@@ -150,7 +143,7 @@ static gmds_status check_told(const gmds_stored_relations *all, const gmds_compl
       return gmds_fail(error, GMDS_ERR_INVARIANT,
                        "no edge joins nodes %lu and %lu, though a cell has them side by side",
                        (unsigned long)c->sides.nodes[2 * k], (unsigned long)c->sides.nodes[2 * k + 1]);
-  for (size_t r = 0; i == 2 && r + 1 < c->nodes[3].n + 1; r++)
+  for (size_t r = 0; i == 2 && r < c->nodes[3].n; r++)
     for (size_t w = c->first_wall[r]; w < c->first_wall[r + 1]; w++)
       if (of[c->group[c->nodes[2].n + w]] == GMDS_NONE)
         return gmds_fail(error, GMDS_ERR_INVARIANT, "face %zu of region %zu is no face of the mesh",
@@ -170,7 +163,9 @@ gmds_status gmds_check_complex(const gmds_stored_relations *all, gmds_complex *c
 {
   gmds_ids lists[2] = {{.memory = complex->memory}, {.memory = complex->memory}};
   gmds_status status = gmds_complex_join(complex, error);
-  if (status == GMDS_ERR_CELL || status == GMDS_ERR_ARGUMENT) {
+  if (status == GMDS_OK && (all->keeps_faces || stored(all, 3, 3)))
+    status = gmds_complex_uncrossed(complex, error);
+  if (status == GMDS_ERR_CELL || status == GMDS_ERR_ARGUMENT || status == GMDS_ERR_CONFLICT) {
     status = GMDS_ERR_INVARIANT; /* the sentence says which cell */
     if (error)
       error->status = status;
@@ -195,9 +190,9 @@ static gmds_status check_neighbours(const gmds_csr *csr, gmds_error *error)
 {
   for (size_t r = 0; r < csr->n; r++) {
     const gmds_id *own = NULL, *back = NULL;
-    const size_t n = row(csr, r, &own);
+    const size_t n = gmds_csr_row(csr, r, &own);
     for (size_t k = 0; k < n; k++) {
-      const size_t m = own[k] == GMDS_NONE ? 0 : row(csr, own[k], &back);
+      const size_t m = own[k] == GMDS_NONE ? 0 : gmds_csr_row(csr, own[k], &back);
       if (own[k] != GMDS_NONE && times(back, m, (gmds_id)r) != times(own, n, own[k]))
         return violated(error, 3, 3, r, "is not named as often as it names", own[k]);
     }

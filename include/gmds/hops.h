@@ -23,6 +23,14 @@ typedef struct gmds_csr {
 void gmds_csr_init(gmds_csr *csr, gmds_memory *memory);
 void gmds_csr_clear(gmds_csr *csr);
 
+/* How many cells cell c has, and where they lie (NULL where there is none). */
+static inline size_t gmds_csr_row(const gmds_csr *csr, size_t c, const gmds_id **data)
+{
+  const size_t n = csr->begin[c + 1] - csr->begin[c];
+  *data = n ? csr->data + csr->begin[c] : NULL;
+  return n;
+}
+
 /* Each takes the cells list[first] to list[last - 1] and appends what they are linked with, once for each link. The
  * multiset is what Keep counts. GMDS_OK or GMDS_ERR_MEMORY (what was appended is cut off again).
  *   rows, pairs, inline   along the stored relation; GMDS_NONE is left out; a row inline has `arity` entries
@@ -38,8 +46,8 @@ gmds_status gmds_scan_inline(const gmds_id *data, size_t arity, const gmds_bits 
                              size_t first, size_t last);
 
 /* The cells of a relation of `end` cells, whose rows are sets, that name at least `times` (1 or more) of the distinct
- * cells list[first] to list[last - 1], appended once each: Keep_times after a traversal. Only last - first - times + 1 of
- * the cells are looked for, since one of them must be there. GMDS_OK or GMDS_ERR_MEMORY (as above). */
+ * cells list[first] to list[last - 1], appended once each: Keep_times after a traversal. Only last - first - times + 1
+ * of the cells are looked for, since one of them must be there. GMDS_OK or GMDS_ERR_MEMORY (as above). */
 gmds_status gmds_scan_meet_inline(const gmds_id *data, size_t arity, const gmds_bits *alive, size_t end, gmds_ids *list,
                                   size_t first, size_t last, size_t times);
 gmds_status gmds_scan_meet_rows(const gmds_rows *rows, size_t end, gmds_ids *list, size_t first, size_t last,
