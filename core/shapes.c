@@ -1,4 +1,6 @@
-/* Local numbering of regions, and finding it again from their faces. */
+/* Local numbering of regions, finding it again from their faces, and turning it outwards. */
+#include "solid.h"
+#include <gmds/predicates.h>
 #include <gmds/shapes.h>
 
 /* The rows are a table. */
@@ -107,4 +109,53 @@ gmds_status gmds_shape_from_faces(gmds_cell_type type, const size_t *faces, cons
   for (size_t i = 0; i < s->nodes; i++)
     nodes[i] = found[i];
   return GMDS_OK;
+}
+
+/* Six times the volume that a region encloses, its faces cut into triangles. */
+static double enclosed(const gmds_shape *s, const double *points, const gmds_id *nodes)
+{
+  const double *o = points + 3 * (size_t)nodes[0];
+  double sum = 0;
+  for (size_t k = 0; k < s->faces; k++)
+    for (size_t q = 1; q + 1 < s->sides[k]; q++) {
+      const size_t at[3] = {s->face[k][0], s->face[k][q], s->face[k][q + 1]};
+      double x[3][3];
+      for (int i = 0; i < 3; i++)
+        vector_to(o, points + 3 * (size_t)nodes[at[i]], x[i]);
+      sum += triple(x[0], x[1], x[2]);
+    }
+  return sum;
+}
+
+static int is_inwards(gmds_cell_type type, const double *points, const gmds_id *nodes)
+{
+  const gmds_shape *s = gmds_shape_of(type);
+  uint8_t corner[SOLID_CORNERS][4];
+  const size_t corners = solid_corners(type, corner);
+  int turns = 0;
+  for (size_t i = 0; i < s->nodes; i++)
+    for (size_t d = 0; d < 3; d++)
+      if (!isfinite(points[3 * (size_t)nodes[i] + d]))
+        return 0;
+  for (size_t k = 0; k < corners; k++) {
+    const double *x[4];
+    for (int i = 0; i < 4; i++)
+      x[i] = points + 3 * (size_t)nodes[corner[k][i]];
+    turns += gmds_orient3d(x[0], x[1], x[2], x[3]);
+  }
+  return turns < 0 || (turns == 0 && type != GMDS_TETRAHEDRON && enclosed(s, points, nodes) < 0);
+}
+
+void gmds_shape_turn_outwards(gmds_cell_type type, const double *points, gmds_id *nodes)
+{
+  const gmds_shape *s = gmds_shape_of(type);
+  if (!s || !is_inwards(type, points, nodes))
+    return;
+  const size_t opposite = type == GMDS_TETRAHEDRON || type == GMDS_PRISM ? 2 : 3; /* of node 1 in its base */
+  const size_t bases = type == GMDS_PRISM || type == GMDS_HEXAHEDRON ? 2 : 1;
+  for (size_t k = 0; k < bases; k++) {
+    gmds_id *base = nodes + k * (opposite + 1), swap = base[1];
+    base[1] = base[opposite];
+    base[opposite] = swap;
+  }
 }
