@@ -1,5 +1,6 @@
 /* From soups to volumes. */
 #include "listed.h"
+#include "sets.h"
 #include <string.h>
 
 /* Which cell of a volume each cell of the soup is: its number among those of its dimension. */
@@ -86,97 +87,113 @@ static gmds_status check_cells(const gmds_soup *soup, gmds_ids *list, gmds_error
   return GMDS_OK;
 }
 
-/* How many faces the polyhedra of the soup have, and how many entries these. */
-static void count_polyhedra(const gmds_soup *soup, size_t *faces, size_t *entries)
+/* How many faces the polyhedra of the soup have. */
+static size_t count_walls(const gmds_soup *soup)
 {
-  *faces = *entries = 0;
+  size_t faces = 0;
   for (size_t c = 0; c < soup->n_cells; c++)
-    if (soup->types[c] == GMDS_POLYHEDRON) {
-      const gmds_id n = soup->corners[soup->begin[c]];
-      *faces += n;
-      *entries += soup->begin[c + 1] - soup->begin[c] - 1 - n;
-    }
+    if (soup->types[c] == GMDS_POLYHEDRON)
+      faces += soup->corners[soup->begin[c]];
+  return faces;
 }
 
-/* Lists the nodes of all cells, those with the same nodes too: faces first those of the soup, then those of its
- * polyhedra. */
-static gmds_status list_all(taking *t)
+/* Room for as many rows as there are cells: faces first those of the soup, then those of its polyhedra. */
+static gmds_status begin_lists(taking *t, size_t more_faces)
 {
-  const gmds_soup *soup = t->soup;
   gmds_complex *x = &t->volume->complex;
-  size_t more_faces = 0, more_entries = 0;
-  gmds_ids list = {.memory = t->volume->memory};
   void *types = NULL;
-  count_polyhedra(soup, &more_faces, &more_entries);
-  for (size_t c = 0; c < soup->n_cells; c++)
-    t->cell[c] = (gmds_id)t->count[dimension(soup, c)]++;
+  for (size_t c = 0; c < t->soup->n_cells; c++)
+    t->cell[c] = (gmds_id)t->count[dimension(t->soup, c)]++;
   if (!gmds_resize(x->memory, &types, 0, t->count[3], 1))
     return GMDS_ERR_MEMORY;
   x->types = types;
   x->types_capacity = t->count[3];
   for (int i = 1; i < 4; i++)
     GMDS_TRY(gmds_csr_begin(&x->nodes[i], t->count[i] + (i == 2 ? more_faces : 0)));
-  if (more_faces)
-    GMDS_TRY(gmds_csr_begin(&x->walls, t->count[3]));
-  gmds_status status = GMDS_OK;
-  for (int pass = 0; pass < 2 && status == GMDS_OK; pass++) {
-    size_t face = t->count[2];
-    for (size_t c = 0; c < soup->n_cells && status == GMDS_OK; c++) {
-      const int i = dimension(soup, c);
-      const size_t k = t->cell[c];
-      const gmds_id *at = soup->corners + soup->begin[c];
-      size_t n = soup->begin[c + 1] - soup->begin[c];
-      if (i == 0)
-        continue;
-      if (i == 3)
-        x->types[k] = soup->types[c];
-      if (soup->types[c] == GMDS_POLYHEDRON) {
-        const gmds_id faces = *at;
-        list.n = 0;
-        if (pass == 0)
-          x->walls.begin[k + 1] = faces;
-        at++;
-        for (gmds_id f = 0; f < faces && status == GMDS_OK; f++) {
-          const size_t sides = *at++;
-          if (pass == 0)
-            x->nodes[2].begin[face + 1] = sides;
-          else {
-            x->walls.data[x->walls.begin[k] + f] = (gmds_id)face;
-            memcpy(x->nodes[2].data + x->nodes[2].begin[face], at, sides * sizeof *at);
-          }
-          face++;
-          for (size_t q = 0; q < sides && status == GMDS_OK; q++)
-            status = gmds_ids_push(&list, at[q]);
-          at += sides;
-        }
-        gmds_ids_keep(&list, 0, 1, GMDS_NONE);
-        at = list.data;
-        n = list.n;
-      }
-      if (pass == 0)
-        x->nodes[i].begin[k + 1] = n;
-      else if (status == GMDS_OK)
-        memcpy(x->nodes[i].data + x->nodes[i].begin[k], at, n * sizeof *at);
-    }
-    for (int i = 1; i < 4 && pass == 0 && status == GMDS_OK; i++)
-      status = gmds_csr_finish(&x->nodes[i]);
-    if (pass == 0 && more_faces && status == GMDS_OK)
-      status = gmds_csr_finish(&x->walls);
+  return more_faces ? gmds_csr_begin(&x->walls, t->count[3]) : GMDS_OK;
+}
+
+/* Counts the nodes of a row in the first pass, writes them in the second. */
+static void put_row(gmds_csr *csr, size_t k, int pass, const gmds_id *nodes, size_t n)
+{
+  if (pass == 0)
+    csr->begin[k + 1] = n;
+  else if (n)
+    memcpy(csr->data + csr->begin[k], nodes, n * sizeof *nodes);
+}
+
+/* Lists region k, a polyhedron, and its faces from *face on. */
+static gmds_status list_polyhedron(taking *t, size_t k, const gmds_id *stream, int pass, size_t *face, gmds_ids *list)
+{
+  gmds_complex *x = &t->volume->complex;
+  const gmds_id faces = *stream++;
+  list->n = 0;
+  if (pass == 0)
+    x->walls.begin[k + 1] = faces;
+  for (gmds_id f = 0; f < faces; f++) {
+    const size_t sides = *stream++;
+    if (pass)
+      x->walls.data[x->walls.begin[k] + f] = (gmds_id)*face;
+    put_row(&x->nodes[2], (*face)++, pass, stream, sides);
+    GMDS_TRY(gmds_ids_reserve(list, list->n + sides));
+    memcpy(list->data + list->n, stream, sides * sizeof *stream);
+    list->n += sides;
+    stream += sides;
   }
+  gmds_ids_keep(list, 0, 1, GMDS_NONE);
+  put_row(&x->nodes[3], k, pass, list->data, list->n);
+  return GMDS_OK;
+}
+
+static gmds_status list_cells(taking *t, int pass, gmds_ids *list)
+{
+  const gmds_soup *soup = t->soup;
+  gmds_complex *x = &t->volume->complex;
+  size_t face = t->count[2];
+  for (size_t c = 0; c < soup->n_cells; c++) {
+    const int i = dimension(soup, c);
+    const size_t k = t->cell[c];
+    const gmds_id *at = soup->corners + soup->begin[c];
+    if (i == 3)
+      x->types[k] = soup->types[c];
+    if (soup->types[c] == GMDS_POLYHEDRON)
+      GMDS_TRY(list_polyhedron(t, k, at, pass, &face, list));
+    else if (i)
+      put_row(&x->nodes[i], k, pass, at, soup->begin[c + 1] - soup->begin[c]);
+  }
+  return GMDS_OK;
+}
+
+/* Lists the nodes of all cells, those with the same nodes too. */
+static gmds_status list_all(taking *t)
+{
+  gmds_complex *x = &t->volume->complex;
+  const size_t more_faces = count_walls(t->soup);
+  gmds_ids list = {.memory = t->volume->memory};
+  GMDS_TRY(begin_lists(t, more_faces));
+  gmds_status status = list_cells(t, 0, &list);
+  for (int i = 1; i < 4 && status == GMDS_OK; i++)
+    status = gmds_csr_finish(&x->nodes[i]);
+  if (status == GMDS_OK && more_faces)
+    status = gmds_csr_finish(&x->walls);
+  if (status == GMDS_OK)
+    status = list_cells(t, 1, &list);
   gmds_ids_clear(&list);
   return status;
 }
 
 /* Leaves out the edges and faces that are the same as one before them; map[k] is the new number of each. */
-static gmds_status drop_same(gmds_complex *x, int i, const gmds_id *first_of, gmds_id *map)
+static void drop_same(gmds_complex *x, int i, const gmds_id *first_of, gmds_id *map)
 {
   gmds_csr *nodes = &x->nodes[i];
   size_t kept = 0, used = 0;
   for (size_t k = 0; k < nodes->n; k++) {
     const size_t begin = nodes->begin[k], n = nodes->begin[k + 1] - begin;
-    map[k] = first_of[k] == k ? (gmds_id)kept : map[first_of[k]];
-    if (first_of[k] != k)
+    if (first_of[k] != k) { /* the first comes before it */
+      map[k] = map[first_of[k]];
       continue;
+    }
+    map[k] = (gmds_id)kept;
     memmove(nodes->data + used, nodes->data + begin, n * sizeof *nodes->data);
     nodes->begin[kept++] = used;
     used += n;
@@ -189,7 +206,6 @@ static gmds_status drop_same(gmds_complex *x, int i, const gmds_id *first_of, gm
   nodes->data = data;
   nodes->capacity = used;
   nodes->n = kept;
-  return GMDS_OK;
 }
 
 /* The edge or face of the complex that each row of the i-cells is. */
@@ -200,39 +216,68 @@ static gmds_id same_as(const gmds_complex *x, int i, size_t k)
   return x->face_of[x->group[k]];
 }
 
+/* GMDS_ERR_CONFLICT where face k is not listed around as the one before it with the same nodes. */
+static gmds_status check_order(const gmds_complex *x, size_t k, gmds_id first, gmds_error *error)
+{
+  const gmds_id *a = NULL, *b = NULL;
+  const size_t n = gmds_csr_row(&x->nodes[2], k, &a);
+  (void)gmds_csr_row(&x->nodes[2], first, &b);
+  if (first == k || gmds_same_cycle(a, b, n))
+    return GMDS_OK;
+  return gmds_fail(error, GMDS_ERR_CONFLICT, "a face is listed twice in different orders: points %lu %lu %lu %lu%s",
+                   (unsigned long)a[0], (unsigned long)a[1], (unsigned long)a[2], (unsigned long)a[3],
+                   n > 4 ? " ..." : "");
+}
+
+/* Finds for every edge and face the first that is the same; *any: whether one is not its own. */
+static gmds_status find_first(const gmds_complex *x, gmds_id *first[3], int *any, gmds_error *error)
+{
+  for (int i = 1; i < 3; i++)
+    for (size_t k = 0; k < x->nodes[i].n; k++) {
+      first[i][k] = same_as(x, i, k);
+      *any |= first[i][k] != k;
+      if (i == 2)
+        GMDS_TRY(check_order(x, k, first[i][k], error));
+    }
+  return GMDS_OK;
+}
+
+/* Leaves out what is the same as something before it, and joins the rest. */
+static gmds_status drop_repeated(taking *t, gmds_id *first[3], gmds_id *map[3], gmds_error *error)
+{
+  gmds_complex *x = &t->volume->complex;
+  gmds_complex_part(x);
+  for (int i = 1; i < 3; i++)
+    drop_same(x, i, first[i], map[i]);
+  for (size_t k = 0; x->walls.begin && k < x->walls.begin[x->walls.n]; k++)
+    x->walls.data[k] = map[2][x->walls.data[k]];
+  for (size_t c = 0; c < t->soup->n_cells; c++) {
+    const int i = dimension(t->soup, c);
+    if (i == 1 || i == 2)
+      t->cell[c] = map[i][t->cell[c]];
+  }
+  return gmds_complex_join(x, error);
+}
+
 static gmds_status merge_cells(taking *t, gmds_error *error)
 {
   gmds_complex *x = &t->volume->complex;
-  const gmds_soup *soup = t->soup;
   GMDS_TRY(gmds_complex_join(x, error));
   const size_t n[3] = {0, x->nodes[1].n, x->nodes[2].n};
   gmds_id *first[3] = {NULL, NULL, NULL}, *map[3] = {NULL, NULL, NULL};
   gmds_status status = GMDS_OK;
   int any = 0;
-  for (int i = 1; i < 3 && status == GMDS_OK; i++) {
+  for (int i = 1; i < 3; i++) {
     void *a = NULL, *b = NULL;
     if (!gmds_resize(x->memory, &a, 0, n[i], sizeof(gmds_id)) || !gmds_resize(x->memory, &b, 0, n[i], sizeof(gmds_id)))
       status = GMDS_ERR_MEMORY;
     first[i] = a;
     map[i] = b;
-    for (size_t k = 0; k < n[i] && status == GMDS_OK; k++) {
-      first[i][k] = same_as(x, i, k);
-      any |= first[i][k] != k;
-    }
   }
-  if (status == GMDS_OK && any) {
-    gmds_complex_part(x);
-    for (int i = 1; i < 3; i++)
-      (void)drop_same(x, i, first[i], map[i]);
-    for (size_t k = 0; x->walls.begin && k < x->walls.begin[x->walls.n]; k++)
-      x->walls.data[k] = map[2][x->walls.data[k]];
-    for (size_t c = 0; c < soup->n_cells; c++) {
-      const int i = dimension(soup, c);
-      if (i == 1 || i == 2)
-        t->cell[c] = map[i][t->cell[c]];
-    }
-    status = gmds_complex_join(x, error);
-  }
+  if (status == GMDS_OK)
+    status = find_first(x, first, &any, error);
+  if (status == GMDS_OK && any)
+    status = drop_repeated(t, first, map, error);
   for (int i = 1; i < 3; i++) {
     gmds_release(x->memory, first[i], first[i] ? n[i] : 0, sizeof(gmds_id));
     gmds_release(x->memory, map[i], map[i] ? n[i] : 0, sizeof(gmds_id));
@@ -265,7 +310,7 @@ static int turn_of(const gmds_id *first, const gmds_id *again, size_t n)
   return (int)(2 * at) + (first[(at + 1) % n] != again[1]);
 }
 
-/* Remembers it in the attribute `listed (q + 1)`, where it is not as the first time. */
+/* Remembers it in an attribute, where it is not as the first time. */
 static gmds_status take_turn(taking *t, gmds_cells *cells, int i, size_t k, size_t c, int q)
 {
   const gmds_csr *nodes = &t->volume->complex.nodes[i];
@@ -274,7 +319,7 @@ static gmds_status take_turn(taking *t, gmds_cells *cells, int i, size_t k, size
                            nodes->begin[k + 1] - nodes->begin[k]);
   if (!turn)
     return GMDS_OK;
-  const char *name = name_on_cells(GMDS_LISTED, i, q, room);
+  const char *name = name_of_turns(q, room);
   gmds_attribute *own = gmds_attribute_find(cells, name);
   if (!own)
     GMDS_TRY(gmds_attribute_add(cells, name, GMDS_INT, 1, &own));
@@ -317,13 +362,30 @@ static gmds_status take_point_attributes(taking *t)
   return GMDS_OK;
 }
 
+/* Whether no attribute of the soup has a name that the volume needs, or one too long to be marked. */
+static gmds_status check_names(const gmds_soup *soup, gmds_error *error)
+{
+  for (int place = 0; place < GMDS_PLACE_COUNT; place++)
+    for (const gmds_attribute *a = soup->attributes[place]; a; a = a->next) {
+      if (is_reserved(a->name))
+        return gmds_fail(error, GMDS_ERR_ARGUMENT,
+                         "attribute '%.80s': names that begin with " GMDS_RESERVED " are reserved", a->name);
+      if (strlen(a->name) > NAME_SIZE - NAME_MARKS)
+        return gmds_fail(error, GMDS_ERR_ARGUMENT, "attribute '%.80s...' has a name of more than %d bytes", a->name,
+                         NAME_SIZE - NAME_MARKS);
+    }
+  return GMDS_OK;
+}
+
 gmds_status gmds_volume_from_soup(gmds_volume *volume, const gmds_soup *soup, gmds_error *error)
 {
   taking t = {.volume = volume, .soup = soup};
   gmds_ids list = {.memory = volume->memory};
   void *block = NULL;
   gmds_error first = {.status = GMDS_OK};
-  gmds_status status = check_cells(soup, &list, &first);
+  gmds_status status = check_names(soup, &first);
+  if (status == GMDS_OK)
+    status = check_cells(soup, &list, &first);
   gmds_ids_clear(&list);
   if (status == GMDS_OK && !gmds_resize(volume->memory, &block, 0, soup->n_cells, sizeof(gmds_id)))
     status = GMDS_ERR_MEMORY;

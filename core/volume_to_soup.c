@@ -1,6 +1,5 @@
 /* From volumes to soups. */
 #include "listed.h"
-#include <string.h>
 
 /* Which edges and faces bound something. */
 static gmds_status mark_bounds(const gmds_complex *x, gmds_bits bounds[3])
@@ -56,7 +55,7 @@ static gmds_cell_type type_of(const gmds_complex *x, int i, size_t c, size_t n)
 static gmds_status turn_list(giving *g, int i, size_t c, int q)
 {
   char room[NAME_SIZE];
-  const gmds_attribute *turns = gmds_attribute_find(&g->volume->cells[i], name_on_cells(GMDS_LISTED, i, q, room));
+  const gmds_attribute *turns = gmds_attribute_find(&g->volume->cells[i], name_of_turns(q, room));
   const size_t n = g->list.n;
   const int turn = turns && turns->type == GMDS_INT && turns->components == 1 ? ((const int *)turns->data)[c] : 0;
   if (turn <= 0 || (size_t)(turn / 2) >= n)
@@ -122,17 +121,6 @@ static gmds_status find_column(giving *g, int i, gmds_place place, const char *n
   return gmds_fail(error, GMDS_ERR_CONFLICT, "attribute '%s' has another type on cells of dimension %d", name, i);
 }
 
-/* Whether `a` is NAME (q) of another column NAME: what a cell had that was listed again. */
-static int is_repetition(const gmds_cells *cells, const gmds_attribute *a)
-{
-  for (const gmds_attribute *b = cells->attributes; b; b = b->next) {
-    const size_t n = strlen(b->name);
-    if (b != a && !strncmp(a->name, b->name, n) && !strncmp(a->name + n, " (", 2) && a->type == b->type)
-      return 1;
-  }
-  return 0;
-}
-
 /* Writes an attribute of the i-cells, NAME in the soup, beside the cells that begin at `at`. */
 static void put_values(giving *g, int i, const gmds_attribute *a, const char *name, gmds_attribute *column, size_t at)
 {
@@ -167,7 +155,7 @@ static gmds_status put_attributes(giving *g, gmds_error *error)
       gmds_attribute *column = NULL;
       const int of_vertex = i == 0 && listed && !strncmp(a->name, VERTEX, strlen(VERTEX));
       const char *name = of_vertex ? a->name + strlen(VERTEX) : a->name;
-      if (listed && (!strcmp(a->name, GMDS_LISTED) || is_repetition(cells, a)))
+      if (is_reserved(a->name) && !of_vertex)
         continue;
       GMDS_TRY(find_column(g, i, i || of_vertex ? GMDS_OF_CELLS : GMDS_OF_POINTS, name, a, &column, error));
       if (i || of_vertex)

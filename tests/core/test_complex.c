@@ -794,7 +794,6 @@ START_TEST(edges_and_faces_that_are_listed_twice_are_one)
     ck_assert_int_eq(gmds_soup_add_cell(&soup, GMDS_TRIANGLE, 3, again ? turned : first), GMDS_OK);
     ck_assert_int_eq(gmds_soup_add_cell(&soup, GMDS_TETRAHEDRON, 4, first), GMDS_OK); /* regions are not */
   }
-  ck_assert_int_eq(gmds_soup_add_cell(&soup, GMDS_QUADRILATERAL, 4, bent), GMDS_OK); /* told by the set of its nodes */
   gmds_volume_init(&volume, &memory);
   gmds_soup_init(&out, &memory, 3);
   ck_assert_int_eq(gmds_volume_from_soup(&volume, &soup, NULL), GMDS_OK);
@@ -806,6 +805,8 @@ START_TEST(edges_and_faces_that_are_listed_twice_are_one)
   ck_assert_ptr_nonnull(gmds_soup_find_attribute(&out, GMDS_OF_CELLS, "tag"));
   gmds_soup_clear(&out);
   gmds_volume_clear(&volume);
+  ck_assert_int_eq(gmds_soup_add_cell(&soup, GMDS_QUADRILATERAL, 4, bent), GMDS_OK); /* crosses itself */
+  is_refused(&soup, GMDS_ERR_CONFLICT, "a face is listed twice in different orders: points 0 2 1 3");
   gmds_soup_clear(&soup);
   ck_assert_uint_eq(memory.live, 0);
 }
@@ -872,6 +873,114 @@ START_TEST(a_volume_that_is_wrong_is_not_written)
 }
 END_TEST
 
+/* A prism over a polygon of n sides as a polyhedron: two faces of n nodes and n of four. */
+static gmds_id *make_drum(size_t n, size_t *entries)
+{
+  gmds_id *stream = malloc((3 + 7 * n) * sizeof *stream), *at = stream;
+  *at++ = (gmds_id)(n + 2);
+  for (size_t base = 0; base < 2; base++) {
+    *at++ = (gmds_id)n;
+    for (size_t k = 0; k < n; k++)
+      *at++ = (gmds_id)(base ? n + k : n - 1 - k);
+  }
+  for (size_t k = 0; k < n; k++) {
+    const size_t next = k + 1 < n ? k + 1 : 0;
+    const gmds_id wall[5] = {4, (gmds_id)k, (gmds_id)next, (gmds_id)(n + next), (gmds_id)(n + k)};
+    memcpy(at, wall, sizeof wall);
+    at += 5;
+  }
+  *entries = (size_t)(at - stream);
+  return stream;
+}
+
+/* Its faces and edges are many: what compares each with each does not come back. */
+START_TEST(a_polyhedron_of_many_faces_goes_through_a_volume)
+{
+  enum { SIDES = 200000 };
+  static const int from[] = {2, 3, 3, 3, 1}, to[] = {1, 1, 2, 3, 3};
+  static const size_t expected[] = {6 * SIDES, 3 * SIDES, SIDES + 2, 0, 3 * SIDES};
+  gmds_soup soup, out;
+  gmds_volume volume;
+  size_t entries = 0;
+  gmds_id *stream = make_drum(SIDES, &entries), *face = malloc(SIDES * sizeof *face);
+  for (size_t k = 0; k < SIDES; k++)
+    face[k] = (gmds_id)(SIDES - 1 - (k + SIDES / 2) % SIDES);
+  gmds_memory_init(&memory, NULL);
+  begin_soup(&soup, 2 * SIDES);
+  for (int k = 0; k < 2; k++) /* one of its faces twice, and begun elsewhere */
+    ck_assert_int_eq(gmds_soup_add_cell(&soup, GMDS_POLYGON, SIDES, k ? face : stream + 2), GMDS_OK);
+  ck_assert_int_eq(gmds_soup_add_cell(&soup, GMDS_POLYHEDRON, entries, stream), GMDS_OK);
+  gmds_volume_init(&volume, &memory);
+  gmds_soup_init(&out, &memory, 3);
+  ck_assert_int_eq(gmds_volume_from_soup(&volume, &soup, NULL), GMDS_OK);
+  ck_assert_uint_eq(volume.complex.nodes[2].n, SIDES + 2);
+  ck_assert_int_eq(gmds_volume_to_soup(&volume, &out, NULL), GMDS_OK);
+  ck_assert_uint_eq(out.n_cells, 3);
+  ck_assert_mem_eq(out.corners, soup.corners, soup.begin[3] * sizeof *soup.corners);
+  ck_assert_int_eq(gmds_complex_make(&volume.complex, 1, 1, NULL), GMDS_OK);
+  ck_assert_uint_eq(volume.complex.nodes[1].n, 3 * SIDES);
+  for (size_t k = 0; k < sizeof from / sizeof *from; k++) {
+    gmds_csr csr;
+    gmds_csr_init(&csr, &memory);
+    ck_assert_int_eq(gmds_complex_relation(&volume.complex, from[k], to[k], 0, &csr, NULL), GMDS_OK);
+    ck_assert_uint_eq(csr.begin[csr.n], expected[k]);
+    gmds_csr_clear(&csr);
+  }
+  gmds_volume_clear(&volume);
+  gmds_soup_clear(&soup);
+  gmds_soup_clear(&out);
+  free(stream);
+  free(face);
+  ck_assert_uint_eq(memory.live, 0);
+}
+END_TEST
+
+/* What has failed has changed nothing: the lists, and what was found of them, are those from before. */
+START_TEST(a_complex_that_cannot_be_made_longer_stays)
+{
+  uint64_t seed = 34;
+  size_t failures = 0;
+  for (int round = 0; round < 40; round++) {
+    failing f = {.until = 1000000};
+    const gmds_allocator allocator = failing_allocator(&f);
+    gmds_complex c;
+    gmds_csr before, after;
+    gmds_error error = {.status = GMDS_OK};
+    gmds_status status = GMDS_ERR_MEMORY;
+    gmds_memory_init(&memory, &allocator);
+    make_cells(0, &seed);
+    begin_complex(&c);
+    gmds_csr_init(&before, &memory);
+    gmds_csr_init(&after, &memory);
+    ck_assert_int_eq(gmds_complex_join(&c, NULL), GMDS_OK);
+    ck_assert_int_eq(gmds_complex_relation(&c, 3, 2, 1, &before, NULL), GMDS_OK);
+    for (long k = 0; status == GMDS_ERR_MEMORY; k++) {
+      const size_t n[2] = {c.nodes[1].n, c.nodes[2].n};
+      f.until = k;
+      error.text[0] = 0;
+      status = gmds_complex_make(&c, 1, 1, &error);
+      f.until = 1000000;
+      if (status == GMDS_OK)
+        break;
+      failures++;
+      ck_assert(status == GMDS_ERR_MEMORY && error.status == status && error.text[0]);
+      ck_assert(c.nodes[1].n == n[0] && c.nodes[2].n == n[1]);
+      ck_assert_int_eq(gmds_complex_relation(&c, 3, 2, 1, &after, NULL), GMDS_OK);
+      ck_assert_uint_eq(after.n, before.n);
+      ck_assert_mem_eq(after.begin, before.begin, (before.n + 1) * sizeof *before.begin);
+      ck_assert(!before.begin[before.n] ||
+                !memcmp(after.data, before.data, before.begin[before.n] * sizeof *before.data));
+      gmds_csr_clear(&after);
+    }
+    ck_assert_int_eq(status, GMDS_OK);
+    gmds_csr_clear(&before);
+    gmds_complex_clear(&c);
+    ck_assert(!memory.live && !f.live);
+  }
+  ck_assert_uint_gt(failures, 400);
+}
+END_TEST
+
 START_TEST(a_model_names_the_region_that_it_cannot_hold)
 {
   static const gmds_id more[][4] = {{0, 2, 1, 4}, {0, 1, 2, 5}};
@@ -906,4 +1015,5 @@ RUN_SUITE("complexes", relations_are_those_of_the_definition, aligned_relations_
           a_shape_is_found_from_its_faces_in_any_order, what_are_no_faces_of_a_shape_is_refused,
           a_soup_with_a_wrong_cell_is_refused, a_polyhedron_that_does_not_close_is_refused,
           edges_and_faces_that_are_listed_twice_are_one, an_edge_has_two_nodes, a_volume_that_is_wrong_is_not_written,
+          a_polyhedron_of_many_faces_goes_through_a_volume, a_complex_that_cannot_be_made_longer_stays,
           a_model_names_the_region_that_it_cannot_hold)
