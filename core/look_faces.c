@@ -118,7 +118,7 @@ gmds_status gmds_look_at_faces(size_t n_nodes, const gmds_csr *faces, int ordere
                            .orientable = 1};
   gmds_edge_table_init(&l.edges, memory);
   if (!faces->n) {
-    r.manifold = r.closed = 1;
+    r.manifold = 1;
     *report = r;
     return GMDS_OK;
   }
@@ -137,7 +137,7 @@ gmds_status gmds_look_at_faces(size_t n_nodes, const gmds_csr *faces, int ordere
       found(l.count[e] < 2 ? &r.border : &r.crowded, l.edges.nodes[2 * e], l.edges.nodes[2 * e + 1]);
   r.sides = l.edges.n;
   r.manifold = !r.crowded.count && !r.pinched.count;
-  r.closed = r.manifold && !r.border.count;
+  r.closed = r.manifold && !r.border.count && r.faces;
   end(&l);
   if (status == GMDS_OK)
     *report = r;

@@ -1,6 +1,7 @@
 /* The report on a complex of regions: faces by their groups, fans by joining what regions have in common there. */
 #include "finding.h"
 #include "forest.h"
+#include "sets.h"
 #include "solid.h"
 #include <gmds/predicates.h>
 #include <string.h>
@@ -132,6 +133,14 @@ static int run_alike(const gmds_walls *walls, size_t v, size_t w)
   return k < n && gmds_wall_node(walls, v, (k + 1) % n) == gmds_wall_node(walls, w, 1);
 }
 
+/* Whether two walls of one face list its nodes around in the same order, either way. */
+static int have_the_same_sides(const gmds_walls *walls, size_t v, size_t w)
+{
+  const gmds_csr *rows = &walls->complex->rows;
+  const size_t n = gmds_wall_sides(walls, w);
+  return n < 4 || gmds_same_cycle(rows->data + wall_begin(walls, v), rows->data + wall_begin(walls, w), n);
+}
+
 static gmds_status look_at_walls(const gmds_walls *walls, gmds_volume_report *report)
 {
   const gmds_complex *c = walls->complex;
@@ -148,17 +157,41 @@ static gmds_status look_at_walls(const gmds_walls *walls, gmds_volume_report *re
       const gmds_id g = gmds_wall_group(walls, w), k = (gmds_id)(w - c->first_wall[r]);
       const int again = first[g] != SIZE_MAX;
       report->faces += !again;
+      if (again && !have_the_same_sides(walls, first[g], w))
+        found(&report->crossed, (gmds_id)r, k);
+      else if (count[g] == 2 && again && run_alike(walls, first[g], w))
+        found(&report->turned, (gmds_id)r, k);
       if (count[g] == 1)
         found(&report->border, (gmds_id)r, k);
       else if (count[g] > 2 && !again)
         found(&report->crowded, (gmds_id)r, k);
-      else if (count[g] == 2 && again && run_alike(walls, first[g], w))
-        found(&report->turned, (gmds_id)r, k);
       if (!again)
         first[g] = w;
     }
   gmds_release(c->memory, count, count ? c->n_groups : 0, 1);
   gmds_release(c->memory, block, c->n_groups, sizeof *first);
+  return status;
+}
+
+/* Finds regions whose nodes are those of one before them. */
+static gmds_status look_for_repetitions(const gmds_complex *c, gmds_volume_report *report)
+{
+  const gmds_csr *nodes = &c->nodes[3];
+  void *group_block = NULL, *leader_block = NULL;
+  size_t n_groups = 0;
+  gmds_status status = GMDS_ERR_MEMORY;
+  if (!nodes->n)
+    return GMDS_OK;
+  if (gmds_resize(c->memory, &group_block, 0, nodes->n, sizeof(gmds_id)) &&
+      gmds_resize(c->memory, &leader_block, 0, nodes->n, sizeof(gmds_id)))
+    status = gmds_group_sets(c->n_nodes, nodes->n, nodes->begin, nodes->data, c->memory, group_block, leader_block,
+                             &n_groups);
+  const gmds_id *group = group_block, *leader = leader_block;
+  for (size_t r = 0; r < nodes->n && status == GMDS_OK; r++)
+    if (group[r] != GMDS_NONE && leader[group[r]] != r)
+      found(&report->repeated, (gmds_id)r, GMDS_NONE);
+  gmds_release(c->memory, group_block, group_block ? nodes->n : 0, sizeof(gmds_id));
+  gmds_release(c->memory, leader_block, leader_block ? nodes->n : 0, sizeof(gmds_id));
   return status;
 }
 
@@ -212,12 +245,16 @@ gmds_status gmds_look_at_regions(const gmds_complex *c, const double *points, gm
   gmds_volume_report r = {.border = nothing_found,
                           .crowded = nothing_found,
                           .turned = nothing_found,
+                          .crossed = nothing_found,
+                          .repeated = nothing_found,
                           .pinched_edges = nothing_found,
                           .pinched_nodes = nothing_found,
                           .inverted = nothing_found,
                           .degenerate = nothing_found};
   GMDS_TRY(gmds_walls_init(&walls, c, points));
   gmds_status status = look_at_walls(&walls, &r);
+  if (status == GMDS_OK)
+    status = look_for_repetitions(c, &r);
   if (status == GMDS_OK)
     status = count_fans(&walls, c->rows.data, c->n_nodes, NULL, &r.nodes, &r.pinched_nodes);
   if (status == GMDS_OK)
@@ -228,7 +265,7 @@ gmds_status gmds_look_at_regions(const gmds_complex *c, const double *points, gm
     if (c->nodes[3].begin[x] < c->nodes[3].begin[x + 1])
       look_at_shape(&walls, points, x, &r);
   gmds_walls_clear(&walls);
-  r.manifold = !r.crowded.count && !r.pinched_edges.count && !r.pinched_nodes.count;
+  r.manifold = !r.crowded.count && !r.crossed.count && !r.pinched_edges.count && !r.pinched_nodes.count;
   if (status == GMDS_OK)
     *report = r;
   return status;
