@@ -10,14 +10,16 @@
 extern "C" {
 #endif
 
-/* X(name, what it means) */
+/* X(name, what it means). GMDS_ERR_CONFLICT says that something stands in the way: a third face at a side (F2F), a
+ * third region on a face (R2R), a face with the same nodes in another order, cells on one that is to be removed, an
+ * attribute of the same name. */
 #define GMDS_STATUS_LIST(X)                                                  \
   X(GMDS_OK, "done")                                                         \
   X(GMDS_ERR_ARGUMENT, "an argument is not of the form that the call takes") \
   X(GMDS_ERR_MEMORY, "out of memory")                                        \
   X(GMDS_ERR_TOO_MANY, "more cells than the index type holds")               \
   X(GMDS_ERR_CELL, "no such cell")                                           \
-  X(GMDS_ERR_CONFLICT, "the mesh cannot hold this cell beside those it has") \
+  X(GMDS_ERR_CONFLICT, "what is there already does not allow it")            \
   X(GMDS_ERR_COORDINATE, "a coordinate is not a finite number")              \
   X(GMDS_ERR_CANCELLED, "cancelled by the caller")                           \
   X(GMDS_ERR_OPEN, "a file cannot be opened")                                \

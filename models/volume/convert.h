@@ -1,37 +1,6 @@
 /* A mesh as a complex (complex.h), and back: what conversion between models, soups and the check are made of. */
 
 #if GMDS_LISTS_CELLS
-/* Six times the volume that a region encloses, by its faces. */
-static inline double enclosed(const mesh *m, const gmds_shape *s, const gmds_id *v)
-{
-  double sum = 0;
-  const double *o = point(m, v[0]);
-  for (size_t k = 0; k < s->faces; k++)
-    for (size_t q = 1; q + 1 < s->sides[k]; q++) {
-      double x[3][3];
-      const size_t at[3] = {s->face[k][0], s->face[k][q], s->face[k][q + 1]};
-      for (int i = 0; i < 3; i++)
-        for (int d = 0; d < 3; d++)
-          x[i][d] = point(m, v[at[i]])[d] - o[d];
-      sum += x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) + x[0][1] * (x[1][2] * x[2][0] - x[1][0] * x[2][2]) +
-             x[0][2] * (x[1][0] * x[2][1] - x[1][1] * x[2][0]);
-    }
-  return sum;
-}
-
-/* Turns a region whose order was found anew so that it encloses a positive volume. */
-static inline void turn_outwards(const mesh *m, gmds_cell_type type, gmds_id *v)
-{
-  if (enclosed(m, gmds_shape_of(type), v) >= 0)
-    return;
-  const size_t bottom = type == GMDS_TETRAHEDRON || type == GMDS_PRISM ? 2 : 3; /* node 1 and its opposite */
-  for (size_t base = 0; base < (type == GMDS_PRISM ? 6u : type == GMDS_HEXAHEDRON ? 8u : 1u); base += bottom + 1) {
-    gmds_id swap = v[base + 1];
-    v[base + 1] = v[base + bottom];
-    v[base + bottom] = swap;
-  }
-}
-
 #  if !GMDS_ORDERED_3_0 && !GMDS__S_3_0 && !GMDS__TETRAHEDRA
 /* The nodes of region r from its faces (one row of each csr). */
 static inline gmds_status corners_from_faces(const mesh *m, gmds_id r, const gmds_csr *faces, const gmds_csr *around,
@@ -56,7 +25,7 @@ static inline gmds_status corners_from_faces(const mesh *m, gmds_id r, const gmd
   }
   gmds_id nodes[GMDS_SHAPE_NODES];
   GMDS_TRY(gmds_shape_from_faces(type, begin, list->data, nodes));
-  turn_outwards(m, type, nodes);
+  gmds_shape_turn_outwards(type, m->points, nodes);
   return start_with(list, nodes, s->nodes);
 }
 
@@ -99,7 +68,7 @@ static inline gmds_status list_cells(const mesh *m, gmds_complex *c)
 #    if !GMDS_ORDERED_3_0 && GMDS__TETRAHEDRA
   for (gmds_id r = next_3(m, 0); r != GMDS_NONE; r = next_3(m, r + 1))
     if (c->nodes[3].begin[r + 1] - c->nodes[3].begin[r] == 4) /* a mesh that is checked may lack one */
-      turn_outwards(m, GMDS_TETRAHEDRON, c->nodes[3].data + c->nodes[3].begin[r]);
+      gmds_shape_turn_outwards(GMDS_TETRAHEDRON, m->points, c->nodes[3].data + c->nodes[3].begin[r]);
 #    endif
 #  else
   GMDS_TRY(list_corners(m, c));
@@ -242,6 +211,9 @@ static inline gmds_status fill_from_complex(mesh *m, gmds_complex *c, gmds_error
   GMDS_TRY(check_types(c, error));
   if (!c->sides.begin)
     GMDS_TRY(gmds_complex_join(c, error));
+#if GMDS__MAKES_FACES || GMDS__S_3_3
+  GMDS_TRY(gmds_complex_uncrossed(c, error));
+#endif
   GMDS_TRY(gmds_complex_make(c, GMDS__MAKES_EDGES, GMDS__MAKES_FACES, error));
   for (int i = 1; i < 4; i++) {
     const int keeps = i == 1 ? GMDS__MAKES_EDGES : i == 2 ? GMDS__MAKES_FACES : 1;

@@ -29,12 +29,11 @@ static inline gmds_status get_volume(const mesh *m, gmds_volume *volume, gmds_er
 static inline gmds_status get_complex(const mesh *m, gmds_complex *complex, gmds_error *error)
 {
   gmds_status status = to_complex(m, complex);
-  if (status == GMDS_OK)
-    status = gmds_complex_join(complex, error);
-  if (status != GMDS_OK) {
+  if (status != GMDS_OK)
+    return gmds_fail(error, status, "listing the cells of a mesh: %s", gmds_status_text(status));
+  status = gmds_complex_join(complex, error);
+  if (status != GMDS_OK)
     gmds_complex_clear(complex);
-    gmds_fail(error, status, "listing the cells of a mesh: %s", gmds_status_text(status));
-  }
   return status;
 }
 

@@ -1,5 +1,5 @@
-/* Finding what is there before a cell is made or removed: the edge between two nodes, the face on some nodes, the faces on
- * an edge, the regions on a face. By the shortest way that the stored relations allow. */
+/* Finding what is there before a cell is made or removed: the edge between two nodes, the face on some nodes, the faces
+ * on an edge, the regions on a face. By the shortest way that the stored relations allow. */
 
 #if GMDS__LINKED_0_1
 /* The edge between nodes a and b, or GMDS_NONE. O(edges at a) with N2E, else a traversal of E2N. */
@@ -46,7 +46,121 @@ static inline int lacks_one(const gmds_id *cells, size_t n)
   return 0;
 }
 
-/* The face with just these n nodes, or GMDS_NONE. edges: those of its sides, where edges are kept. */
+#if GMDS__LINKED_0_2 || GMDS__LINKED_1_2
+/* How many sides face f has. The list serves as a stack. */
+static inline gmds_status count_sides(const mesh *m, gmds_id f, gmds_ids *list, size_t *sides)
+{
+  (void)m;
+  (void)f;
+  (void)list;
+#  if GMDS__SIDES
+  *sides = GMDS__SIDES;
+#  elif GMDS__S_2_0
+  *sides = m->r_2_0.length[f];
+#  elif GMDS__S_2_1
+  *sides = m->r_2_1.length[f];
+#  else
+  const size_t end = list->n;
+  GMDS_TRY(gmds_ids_push(list, f));
+#    if GMDS__LINKED_0_2
+  GMDS_TRY(hop_2_0(m, list, end, end + 1));
+#    else
+  GMDS_TRY(hop_2_1(m, list, end, end + 1));
+#    endif
+  *sides = list->n - end - 1;
+  list->n = end;
+#  endif
+  return GMDS_OK;
+}
+#endif
+
+#if !GMDS__SIMPLICIAL && (GMDS__LINKED_0_2 || GMDS__LINKED_1_2)
+/* GMDS_ERR_CONFLICT where face f, which has these n nodes, has others of them side by side. */
+static inline gmds_status check_sides(const mesh *m, gmds_id f, size_t n, const gmds_id *nodes, const gmds_id *edges,
+                                      gmds_ids *list)
+{
+  (void)m;
+  (void)f;
+  (void)nodes;
+  (void)edges;
+  (void)list;
+  if (n < 4)
+    return GMDS_OK;
+#  if GMDS__S_2_0
+  for (size_t k = 0; k < n; k++)
+    if (!has_side(m, f, nodes[k], nodes[k + 1 < n ? k + 1 : 0]))
+      return GMDS_ERR_CONFLICT;
+#  elif GMDS__LINKED_0_1
+  if (lacks_one(edges, n)) /* those of a face are there */
+    return GMDS_ERR_CONFLICT;
+#    if GMDS__LINKED_1_2
+  list->n = 0;
+  GMDS_TRY(gmds_ids_push(list, f));
+  GMDS_TRY(hop_2_1(m, list, 0, 1));
+  for (size_t k = 0; k < n; k++)
+    if (!gmds_ids_has(list, edges[k]))
+      return GMDS_ERR_CONFLICT;
+#    endif
+#  endif
+  return GMDS_OK;
+}
+
+#  if GMDS__LINKED_0_1 && GMDS__LINKED_1_2 && !(GMDS__LINKED_0_2 && !(GMDS__S_1_2 && !GMDS__S_0_2))
+/* Whether face f has these n nodes. */
+static inline gmds_status has_nodes(const mesh *m, gmds_id f, size_t n, const gmds_id *nodes, gmds_ids *list, int *has)
+{
+  const size_t end = list->n;
+  size_t sides = 0, found = 0;
+  GMDS_TRY(count_sides(m, f, list, &sides));
+  if (sides == n) {
+    GMDS_TRY(gmds_ids_push(list, f));
+    GMDS_TRY(hop_2_1(m, list, end, end + 1));
+    const size_t first = list->n;
+    GMDS_TRY(hop_1_0(m, list, end + 1, first));
+    gmds_ids_keep(list, first, 1, GMDS_NONE);
+    for (size_t k = first; k < list->n; k++)
+      for (size_t q = 0; q < n; q++)
+        found += list->data[k] == nodes[q];
+  }
+  list->n = end;
+  *has = found == n;
+  return GMDS_OK;
+}
+
+/* GMDS_ERR_CONFLICT where a face has these n nodes, but not these edges. Two quadrilaterals of the same nodes have two
+ * sides in common, opposite ones; other polygons may have none. */
+static inline gmds_status find_crossed(const mesh *m, size_t n, const gmds_id *nodes, const gmds_id *edges,
+                                       gmds_ids *list)
+{
+  const size_t rounds = n > 4 ? 1 : n == 4 ? 2 : 0;
+  for (size_t round = 0; round < rounds; round++) {
+    const gmds_id opposite[2] = {edges[round], edges[round + 2]};
+    size_t first = 2;
+    if (n == 4 && lacks_one(opposite, 2))
+      continue;
+    GMDS_TRY(n == 4 ? start_with(list, opposite, 2) : start_with(list, nodes, 1));
+    if (n == 4)
+      GMDS_TRY(meet_1_2(m, list, 0, 2, 2));
+    else {
+      GMDS_TRY(hop_0_1(m, list, 0, 1));
+      first = list->n;
+      GMDS_TRY(hop_1_2(m, list, 1, first));
+    }
+    for (size_t k = first, end = list->n; k < end; k++) {
+      int has = 0;
+      GMDS_TRY(has_nodes(m, list->data[k], n, nodes, list, &has));
+      if (has)
+        return GMDS_ERR_CONFLICT;
+    }
+  }
+  return GMDS_OK;
+}
+#    define GMDS__FINDS_CROSSED 1
+#  endif
+#endif
+
+/* The face with just these n nodes, or GMDS_NONE. edges: those of its sides, where edges are kept. Also
+ * GMDS_ERR_CONFLICT: one has these nodes in another order around. */
 static inline gmds_status find_face(const mesh *m, size_t n, const gmds_id *nodes, const gmds_id *edges, gmds_ids *list,
                                     gmds_id *face)
 {
@@ -61,34 +175,27 @@ static inline gmds_status find_face(const mesh *m, size_t n, const gmds_id *node
   GMDS_TRY(start_with(list, nodes, n));
   GMDS_TRY(meet_0_2(m, list, 0, n, n));
 #  else
-  if (lacks_one(edges, n))
-    return GMDS_OK;
   GMDS_TRY(start_with(list, edges, n));
-  GMDS_TRY(meet_1_2(m, list, 0, n, n));
+  if (!lacks_one(edges, n))
+    GMDS_TRY(meet_1_2(m, list, 0, n, n));
 #  endif
   for (size_t k = n, end = list->n; k < end && *face == GMDS_NONE; k++) {
-#  if GMDS__SIDES
-    size_t sides = n;
-#  elif GMDS__S_2_0
-    size_t sides = m->r_2_0.length[list->data[k]];
-#  elif GMDS__S_2_1
-    size_t sides = m->r_2_1.length[list->data[k]];
-#  else
-    GMDS_TRY(gmds_ids_push(list, list->data[k]));
-#    if GMDS__LINKED_0_2
-    GMDS_TRY(hop_2_0(m, list, end, end + 1));
-#    else
-    GMDS_TRY(hop_2_1(m, list, end, end + 1));
-#    endif
-    size_t sides = list->n - end - 1;
-    list->n = end;
-#  endif
+    size_t sides = 0;
+    GMDS_TRY(count_sides(m, list->data[k], list, &sides));
     if (sides == n)
       *face = list->data[k];
   }
+#  if defined GMDS__FINDS_CROSSED
+  if (*face == GMDS_NONE)
+    return find_crossed(m, n, nodes, edges, list);
+#  elif !GMDS__SIMPLICIAL
+  if (*face != GMDS_NONE)
+    return check_sides(m, *face, n, nodes, edges, list);
+#  endif
 #endif
   return GMDS_OK;
 }
+#undef GMDS__FINDS_CROSSED
 
 #if GMDS__K_2 && (GMDS__LINKED_0_2 || GMDS__LINKED_1_2)
 /* Fills the list with the faces on the side from a to b; e is the edge there where edges and nodes are linked. */

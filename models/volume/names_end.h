@@ -41,7 +41,9 @@
 #undef check
 #undef check_nodes
 #undef check_relations
+#undef check_sides
 #undef check_types
+#undef check_wall
 #undef checksum
 #undef clear_scratch
 #undef compact
@@ -53,6 +55,7 @@
 #undef count_1
 #undef count_2
 #undef count_3
+#undef count_sides
 #undef drop_bare_edges
 #undef drop_edge
 #undef drop_face
@@ -61,7 +64,6 @@
 #undef edges_of_plan
 #undef edges_touch
 #undef empty
-#undef enclosed
 #undef end_0
 #undef end_1
 #undef end_2
@@ -79,6 +81,7 @@
 #undef fill_volume
 #undef find_attribute
 #undef find_beyond
+#undef find_crossed
 #undef find_edge
 #undef find_face
 #undef find_planned
@@ -88,6 +91,7 @@
 #undef forget_edge
 #undef forget_face
 #undef forget_region
+#undef forget_regions
 #undef free_slot
 #undef from_soup
 #undef gather_around
@@ -114,6 +118,7 @@
 #undef has_1
 #undef has_2
 #undef has_3
+#undef has_nodes
 #undef has_rim
 #undef has_side
 #undef have_common
@@ -237,7 +242,6 @@
 #undef to_complex
 #undef to_soup
 #undef trim
-#undef turn_outwards
 #undef unjoin
 #undef view_0_0
 #undef view_0_1

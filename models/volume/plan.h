@@ -1,5 +1,5 @@
-/* The plan of a creation: what the new cell is made of is looked up, identifiers are taken, room is made in every row. All of
- * this may fail, and then what was taken is given back; nothing is linked yet. */
+/* The plan of a creation: what the new cell is made of is looked up, identifiers are taken, room is made in every row.
+ * All of this may fail, and then what was taken is given back; nothing is linked yet. */
 
 /* ---- what a new cell is made of: its edges and faces, found or new. The arrays lie in m->plan. */
 
@@ -90,7 +90,7 @@ static inline gmds_status edges_of_plan(mesh *m, const cell_plan *p, size_t k)
   return GMDS_OK;
 }
 
-/* Looks up the edges and faces of the plan: GMDS_NONE where there is none yet. */
+/* Looks up the edges and faces of the plan: GMDS_NONE where there is none yet. Also GMDS_ERR_CONFLICT (find_face). */
 static inline gmds_status find_planned(mesh *m, cell_plan *p)
 {
   (void)m;
@@ -141,7 +141,29 @@ static inline gmds_id free_slot(const mesh *m, gmds_id s, size_t n, const gmds_i
 #  endif
 }
 
-/* Looks up the region beyond each face. GMDS_ERR_CONFLICT: there are two already. */
+/* GMDS_ERR_CONFLICT where region s has the face of n nodes with others of them side by side. */
+static inline gmds_status check_wall(const mesh *m, gmds_id s, size_t n, const gmds_id *nodes)
+{
+  (void)m;
+  (void)s;
+  (void)n;
+  (void)nodes;
+#  if !GMDS__SIMPLICIAL && GMDS__LISTS_WALLS
+  const gmds_id k = n > 3 ? find_wall(m, s, n, nodes) : GMDS_NONE;
+  if (k == GMDS_NONE)
+    return GMDS_OK;
+  gmds_id room[4];
+  size_t sides = 0;
+  const gmds_id *wall = wall_nodes(m, s, k, room, &sides);
+  for (size_t i = 0; i < n; i++)
+    if (!follow_each_other(wall, n, nodes[i], nodes[i + 1 < n ? i + 1 : 0]))
+      return GMDS_ERR_CONFLICT;
+#  endif
+  return GMDS_OK;
+}
+
+/* Looks up the region beyond each face. GMDS_ERR_CONFLICT: there are two already, or it has the nodes in another
+ * order. */
 static inline gmds_status find_beyond(mesh *m, cell_plan *p)
 {
 #  if GMDS__LINKED_0_3 || GMDS__LINKED_1_3 || GMDS__LINKED_2_3
@@ -158,6 +180,7 @@ static inline gmds_status find_beyond(mesh *m, cell_plan *p)
     for (size_t q = 0; q < k; q++)
       before += p->beyond[q] == m->found.data[0];
     p->beyond[k] = m->found.data[0];
+    GMDS_TRY(check_wall(m, p->beyond[k], n, nodes));
     p->slot[k] = free_slot(m, p->beyond[k], n, nodes, p->face[k], before);
     if (p->slot[k] == GMDS_NONE)
       return GMDS_ERR_CONFLICT;

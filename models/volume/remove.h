@@ -1,6 +1,6 @@
-/* Deletion. What a cell is linked with is gathered first, by the queries of the model (which may run out of memory); then
- * everything that names the cell forgets it, which cannot fail. When several cells go, a first pass gathers for each
- * without carrying anything out, so that the lists have grown to what the second needs. */
+/* Deletion. What a cell is linked with is gathered first, by the queries of the model (which may run out of memory);
+ * then everything that names the cell forgets it, which cannot fail. When several cells go, a first pass gathers for
+ * each without carrying anything out, so that the lists have grown to what the second needs. */
 
 #if GMDS__S_0_0
 static inline void unjoin(mesh *m, gmds_id a, gmds_id b)
@@ -72,8 +72,8 @@ static inline gmds_status drop_bare_edges(mesh *m, const gmds_ids *list, size_t 
 /* ---- faces */
 
 #if GMDS__MAKES_FACES
-/* Makes everything but regions forget face f, which bounds none any more, and frees it; likewise its edges that are left
- * bare, where these go. */
+/* Makes everything but regions forget face f, which bounds none any more, and frees it; likewise its edges that are
+ * left bare, where these go. */
 static inline gmds_status forget_face(mesh *m, gmds_id f, gmds_bare bare, int dry)
 {
   (void)bare;
@@ -212,7 +212,8 @@ static inline gmds_status forget_region(mesh *m, gmds_id r, gmds_bare bare, int 
   return GMDS_OK;
 }
 
-static inline gmds_status remove_regions(mesh *m, const gmds_ids *regions, gmds_bare bare)
+/* Removes regions that are alive, each named once. */
+static inline gmds_status forget_regions(mesh *m, const gmds_ids *regions, gmds_bare bare)
 {
   if (!GMDS__FORGETS_REGIONS || (bare == GMDS_DROP_BARE && !GMDS__KNOWS_BARE))
     return regions->n ? GMDS_ERR_UNSUPPORTED : GMDS_OK;
@@ -223,12 +224,22 @@ static inline gmds_status remove_regions(mesh *m, const gmds_ids *regions, gmds_
   return GMDS_OK;
 }
 
+static inline gmds_status remove_regions(mesh *m, const gmds_ids *regions, gmds_bare bare)
+{
+  for (size_t i = 0; i < regions->n; i++)
+    if (!has_3(m, regions->data[i]))
+      return GMDS_ERR_CELL;
+  GMDS_TRY(start_with(&m->found, regions->data, regions->n));
+  gmds_ids_keep(&m->found, 0, 2, GMDS_NONE);
+  return m->found.n ? GMDS_ERR_ARGUMENT : forget_regions(m, regions, bare);
+}
+
 static inline gmds_status remove_region(mesh *m, gmds_id r, gmds_bare bare)
 {
   if (!has_3(m, r))
     return GMDS_ERR_CELL;
   const gmds_ids one = {.data = &r, .n = 1};
-  return remove_regions(m, &one, bare);
+  return forget_regions(m, &one, bare);
 }
 
 #if GMDS__K_2
@@ -245,7 +256,7 @@ static inline gmds_status remove_face(mesh *m, gmds_id f, gmds_around around, gm
   if (status == GMDS_OK)
     status = forget_face(m, f, bare, 1);
   if (status == GMDS_OK && regions.n)
-    status = around == GMDS_REFUSE ? GMDS_ERR_CONFLICT : remove_regions(m, &regions, GMDS_KEEP_BARE);
+    status = around == GMDS_REFUSE ? GMDS_ERR_CONFLICT : forget_regions(m, &regions, GMDS_KEEP_BARE);
   if (status == GMDS_OK)
     (void)forget_face(m, f, bare, 0);
   gmds_ids_clear(&regions);
@@ -286,7 +297,7 @@ static inline gmds_status remove_edge(mesh *m, gmds_id e, gmds_around around)
   if (status == GMDS_OK && regions.n + faces.n && around == GMDS_REFUSE)
     status = GMDS_ERR_CONFLICT;
   if (status == GMDS_OK)
-    status = remove_regions(m, &regions, GMDS_KEEP_BARE);
+    status = forget_regions(m, &regions, GMDS_KEEP_BARE);
 #      if GMDS__MAKES_FACES
   for (size_t k = 0; k < faces.n && status == GMDS_OK; k++)
     (void)forget_face(m, faces.data[k], GMDS_KEEP_BARE, 0);
@@ -345,7 +356,7 @@ static inline gmds_status remove_node(mesh *m, gmds_id v, gmds_around around)
   surroundings s = {{.memory = &m->memory}, {.memory = &m->memory}, {.memory = &m->memory}};
   gmds_status status = gather_around(m, v, around, &s);
   if (status == GMDS_OK)
-    status = remove_regions(m, &s.regions, GMDS_KEEP_BARE);
+    status = forget_regions(m, &s.regions, GMDS_KEEP_BARE);
 #if GMDS__MAKES_FACES
   for (size_t k = 0; k < s.faces.n && status == GMDS_OK; k++)
     (void)forget_face(m, s.faces.data[k], GMDS_KEEP_BARE, 0);

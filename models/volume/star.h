@@ -1,6 +1,6 @@
-/* The cavity operator: the tetrahedra of a cavity are replaced by those that join its walls to a node. What a Bowyer-Watson
- * insertion does, in one operation; old identifiers are used again. Tetrahedron i has wall i as its face 3, and on faces
- * 0, 1, 2 the edges of the wall from node 0 to 1, 1 to 2 and 2 to 0. */
+/* The cavity operator: the tetrahedra of a cavity are replaced by those that join its walls to a node. What a
+ * Bowyer-Watson insertion does, in one operation; old identifiers are used again. Tetrahedron i has wall i as its face
+ * 3, and on faces 0, 1, 2 the edges of the wall from node 0 to 1, 1 to 2 and 2 to 0. */
 
 #if GMDS_STARS
 
@@ -214,7 +214,7 @@ static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, size_t n
                                gmds_id *ids)
 {
   const gmds_ids list = {.data = ids, .n = n_regions};
-  GMDS_TRY(remove_regions(m, &list, GMDS_DROP_BARE));
+  GMDS_TRY(forget_regions(m, &list, GMDS_DROP_BARE));
   for (size_t i = 0; i < n_walls; i++)
     GMDS_TRY(add_tetrahedron(m, walls[i].node[0], walls[i].node[1], walls[i].node[2], apex, &ids[i]));
   return GMDS_OK;

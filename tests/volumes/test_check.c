@@ -164,8 +164,8 @@ static int names_what_is_wrong(const subject *s, const char *text)
 {
   static const char letters[] = "NEFR";
   static const char *const others[] = {
-      "no edge joins", "is no face of the mesh", "have the same nodes", "do not make a region", " nodes, ",
-      "do not close"};
+      "no edge joins", "is no face of the mesh", "have the same nodes",    "do not make a region",
+      " nodes, ",      "do not close",           "in another order around"};
   for (int q = 0; q < 16; q++) {
     const char name[] = {letters[q / 4], '2', letters[q % 4], ':', 0};
     if (subject_stores(s, q / 4, q % 4) && !strncmp(text, name, 4))
