@@ -86,6 +86,7 @@ gmds_status gmds_stage_cell(gmds_stage *stage, const gmds_text *text, gmds_cell_
   GMDS_TRY(said(text, (type == GMDS_POLYHEDRON ? faces_repeat : repeats)(stage, n, corners, &repeated)));
   if (repeated) {
     stage->soup.degenerate++;
+    stage->soup.degenerate_regions += gmds_cell_type_dimension(type) == 3;
     return GMDS_OK;
   }
   gmds_status status = gmds_soup_add_cell(&stage->soup, type, n, corners);
@@ -176,7 +177,7 @@ static gmds_status flatten(gmds_soup *soup)
 
 static void keep_points(gmds_soup *soup)
 {
-  soup->n_cells = soup->degenerate = soup->unread = 0;
+  soup->n_cells = soup->degenerate = soup->degenerate_regions = soup->unread = 0;
   for (int place = 0; place < GMDS_PLACE_COUNT; place++)
     while (soup->attributes[place])
       gmds_soup_remove_attribute(soup, (gmds_place)place, soup->attributes[place]);
@@ -202,7 +203,7 @@ gmds_status gmds_stage_commit(gmds_stage *stage, const gmds_text *text, gmds_sou
     keep_points(made);
   size_t count[4], off = first_off_the_plane(made);
   gmds_soup_count(made, count);
-  int flat = off == made->n_points && !count[3];
+  int flat = off == made->n_points && !count[3] && !made->degenerate_regions;
   int dim = stage->dim ? stage->dim : flat ? 2 : 3;
   int dropped = !made->n_cells && !made->degenerate; /* points alone may lose their third coordinate */
   if (dim == 2 && !flat && !dropped)

@@ -50,8 +50,9 @@ typedef struct gmds_soup {
   gmds_attribute *attributes[GMDS_PLACE_COUNT]; /* columns of values, a row a point or a cell, in the order they were
                                                    added: reference numbers of a file, solutions, ... */
   size_t point_capacity, cell_capacity, corner_capacity;
-  size_t degenerate; /* cells that a reader left out because two of their points are the same */
-  size_t unread;     /* arrays, names and the like that a reader left out because a soup has no place for them */
+  size_t degenerate;         /* cells that a reader left out because two of their points are the same, */
+  size_t degenerate_regions; /* and how many of them are of dimension 3 */
+  size_t unread; /* arrays, names and the like that a reader left out because a soup has no place for them */
 } gmds_soup;
 
 /* An empty soup. Allocates nothing. */
