@@ -174,6 +174,20 @@ static const char *mask_of_name(const char *text)
   return text;
 }
 
+/* Whether a mask has R or a relation of it. */
+static int keeps_regions(unsigned mask)
+{
+  unsigned of_regions = GMDS_R;
+  for (int i = 0; i < 4; i++)
+    of_regions |= (unsigned)GMDS_RELATION_BIT(i, 3) | (unsigned)GMDS_RELATION_BIT(3, i);
+  return (mask & of_regions) != 0;
+}
+
+gmds_status read_mask(const char *text, int dim, gmds_error *error, unsigned *mask)
+{
+  return gmds_mask_parse(dim == 3 ? mask_of_name(text) : text, error, mask);
+}
+
 /* The model of a mask without borrowed relations. */
 static gmds_status find_stored(const char *text, int dim, gmds_error *error, const model_entry **entry)
 {
@@ -181,7 +195,13 @@ static gmds_status find_stored(const char *text, int dim, gmds_error *error, con
   size_t n = 0;
   if (strcmp(text, "cmap") == 0)
     return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model 'cmap': this version has no combinatorial maps");
-  GMDS_TRY(gmds_mask_parse(dim == 3 ? mask_of_name(text) : text, error, &mask));
+  if (dim == 3 && !strchr(text, '|') && read_mask(text, dim, NULL, &mask) != GMDS_OK)
+    return gmds_fail(error, GMDS_ERR_ARGUMENT,
+                     "'%.80s' is no model of volumes: a mask such as 'N|R|R2N' or one of the names F1 to F6, R1 to R4",
+                     text);
+  GMDS_TRY(read_mask(text, dim, error, &mask));
+  if (dim == 3 && !keeps_regions(mask))
+    return gmds_fail(error, GMDS_ERR_ARGUMENT, "model '%.80s' keeps no regions: add R, or leave out --dim 3", text);
   mask |= GMDS_N | (dim == 2 ? GMDS_F : GMDS_R);
   mask &= ~(unsigned)(dim == 2 ? GMDS_DIM2 : GMDS_DIM3);
   *entry = find_mask(mask);

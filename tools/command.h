@@ -58,13 +58,17 @@ void end_progress(progress_state *state);
 /* The generated models. */
 const model_entry *const *all_models(size_t *n);
 
-/* A model as a user names it: a mask, or "MASK +X2Y" (several +X2Y if need be) for a model that borrows relations for the
- * length of the algorithm. `runs` is the model that the algorithm runs on, `owner` the one that has the mesh back, NULL
- * where nothing is borrowed. */
+/* A model as a user names it: a mask, or "MASK +X2Y" (several +X2Y if need be) for a model that borrows relations for
+ * the length of the algorithm. `runs` is the model that the algorithm runs on, `owner` the one that has the mesh back,
+ * NULL where nothing is borrowed. */
 typedef struct model_choice {
   const model_entry *runs, *owner;
   char name[128];
 } model_choice;
+
+/* The mask that a text stands for; in dimension 3 also a name of named.h. GMDS_OK, or GMDS_ERR_ARGUMENT after a
+ * sentence. */
+gmds_status read_mask(const char *text, int dim, gmds_error *error, unsigned *mask);
 
 /* The model of dimension 2 or 3 that a text stands for; in 3 also the names of named.h, and nothing is borrowed.
  * GMDS_OK, or any other status after a sentence that says what to add, what to leave out, or which models there are. */
@@ -91,8 +95,8 @@ gmds_status write_plot(const char *path, const sweep_row *rows, size_t n, gmds_e
 /* Writes a soup, or its picture where the name ends in .svg. */
 gmds_status write_any(const char *path, const gmds_soup *soup, gmds_error *error);
 
-/* The check of a soup of volumes (solid.c), which prints what it finds; a line about quality. GMDS_OK, or another status
- * after a sentence. */
+/* The check of a soup of volumes (solid.c), which prints what it finds; a line about quality. GMDS_OK, or another
+ * status after a sentence. */
 gmds_status check_volumes(const char *path, const gmds_soup *soup, int json, gmds_error *error);
 void print_quality(const gmds_quality *quality, const char *size);
 

@@ -301,10 +301,11 @@ static int run_check(const verb *v, int argc, char **argv)
     code = failed("%s", error.text);
   else {
     gmds_soup_count(&soup, count);
-    status = count[3] ? check_volumes(path, &soup, json, &error) : check_soup(&soup, &m, &error, &f);
+    const int solid = count[3] || soup.degenerate_regions; /* volumes, though none may be left */
+    status = solid ? check_volumes(path, &soup, json, &error) : check_soup(&soup, &m, &error, &f);
     if (status != GMDS_OK)
       code = failed("%s: %s", path, error.text);
-    else if (!count[3])
+    else if (!solid)
       print_findings(path, &f, soup.degenerate, json);
   }
   full_mesh_clear(&m);

@@ -57,7 +57,8 @@ static int print_census(int dim, int csv)
   return DONE;
 }
 
-/* The path as the paper writes it, with the relation behind each hop: "0 -> 1 -> 2: N2E, traversal of F2E; keep 1, 1". */
+/* The path as the paper writes it, with the relation behind each hop:
+ * "0 -> 1 -> 2: N2E, traversal of F2E; keep 1, 1". */
 static void print_path(unsigned mask, int i, int j)
 {
   const gmds_path p = gmds_path_of(mask, i, j);
@@ -132,7 +133,7 @@ static int run(const verb *v, int argc, char **argv)
     return print_census((int)dim, csv);
   gmds_error error = {.status = GMDS_OK};
   unsigned mask = 0;
-  if (gmds_mask_parse(text, &error, &mask) != GMDS_OK)
+  if (read_mask(text, dim_text ? (int)dim : 3, &error, &mask) != GMDS_OK)
     return failed("%s", error.text);
   if (mask & GMDS_R) {
     if (dim_text && dim == 2)
@@ -147,6 +148,8 @@ static int run(const verb *v, int argc, char **argv)
   return print_model(mask, (int)dim);
 }
 
-const verb verb_models = {"models", "[MASK] [--dim 2|3] [--csv]",
-                          "what each mesh model can answer, and at what cost; for one mask its matrices and paths",
-                          run};
+const verb verb_models = {
+    "models", "[MASK|NAME] [--dim 2|3] [--csv]",
+    "what each mesh model can answer, and at what cost; for one mask, or one of the names F1 to F6 "
+    "and R1 to R4 of models of volumes, its matrices and paths",
+    run};

@@ -26,6 +26,13 @@ typedef struct solid_findings {
 #include "solid.h"
 #include <gmds/end.h>
 
+/* Faces have one order around: files in which regions disagree go without faces. */
+#define GMDS_PREFIX crossed
+#define GMDS_MODEL (N | E | R | N2N | N2E | N2R | E2N | E2E | E2R | R2N | R2E)
+#include <gmds/mesh.h>
+#include "solid.h"
+#include <gmds/end.h>
+
 static long long euler_of(const gmds_volume_report *r)
 {
   return (long long)r->nodes - (long long)r->edges + (long long)r->faces - (long long)r->regions;
@@ -44,10 +51,11 @@ static void print_json(const char *path, const solid_findings *f, size_t left_ou
   json_text(stdout, path);
   printf(",\"nodes\":%zu,\"edges\":%zu,\"faces\":%zu,\"regions\":%zu,\"euler\":%lld,\"components\":%zu,"
          "\"isolated_nodes\":%zu,\"border_faces\":%zu,\"nonmanifold_faces\":%zu,\"nonmanifold_edges\":%zu,"
-         "\"nonmanifold_nodes\":%zu,\"inconsistent_faces\":%zu,\"inverted\":%zu,\"flat\":%zu,\"degenerate\":%zu,",
+         "\"nonmanifold_nodes\":%zu,\"inconsistent_faces\":%zu,\"crossed_faces\":%zu,\"repeated\":%zu,\"inverted\":%zu,"
+         "\"flat\":%zu,\"degenerate\":%zu,",
          f->nodes, r->edges, r->faces, r->regions, euler_of(r), f->components, f->nodes - r->nodes, r->border.count,
-         r->crowded.count, r->pinched_edges.count, r->pinched_nodes.count, r->turned.count, r->inverted.count,
-         r->degenerate.count, left_out);
+         r->crowded.count, r->pinched_edges.count, r->pinched_nodes.count, r->turned.count, r->crossed.count,
+         r->repeated.count, r->inverted.count, r->degenerate.count, left_out);
   printf("\"border\":{\"nodes\":%zu,\"edges\":%zu,\"euler\":%lld,\"manifold\":%s,\"closed\":%s},\"volume\":%.17g,",
          r->surface.nodes, r->surface.sides, euler_of_border(&r->surface), r->surface.manifold ? "true" : "false",
          r->surface.closed ? "true" : "false", q->size);
@@ -74,12 +82,17 @@ static void print_text(const char *path, const solid_findings *f, size_t left_ou
   printf("%s: %zu nodes, %zu edges, %zu faces, %zu regions in %zu components, Euler characteristic %lld\n", path,
          r->nodes, r->edges, r->faces, r->regions, f->components, euler_of(r));
   printf("  %zu isolated nodes, %zu degenerate cells left out\n", f->nodes - r->nodes, left_out);
-  printf("  border of %zu faces, Euler characteristic %lld, %s\n", r->border.count, euler_of_border(&r->surface),
-         r->surface.closed ? "a closed manifold" : "no manifold");
+  if (r->border.count)
+    printf("  border of %zu faces, Euler characteristic %lld, %s\n", r->border.count, euler_of_border(&r->surface),
+           r->surface.closed ? "a closed manifold" : "no manifold");
+  else
+    printf("  no border\n");
   print_found(&r->crowded, "faces with more than two regions", "region and face");
   print_found(&r->pinched_edges, "edges whose regions are not one fan", "between nodes");
   print_found(&r->pinched_nodes, "nodes whose regions are not one fan", "node");
   print_found(&r->turned, "faces whose regions are oriented against each other", "region and face");
+  print_found(&r->crossed, "faces whose regions list their nodes in other orders", "region and face");
+  print_found(&r->repeated, "regions with the nodes of another", "region");
   print_found(&r->inverted, "inverted regions", "region");
   print_found(&r->degenerate, "flat regions", "region");
   print_quality(&f->measured, "volume");
@@ -103,6 +116,10 @@ gmds_status check_volumes(const char *path, const gmds_soup *soup, int json, gmd
   if (status == GMDS_ERR_CONFLICT) {
     relations = "the sixteen but R2R";
     status = branched_inspect(soup, &f, error);
+  }
+  if (status == GMDS_ERR_CONFLICT) { /* the sentence stays where this does not hold the regions either */
+    relations = "the eight without faces and R2R";
+    status = crossed_inspect(soup, &f, NULL) == GMDS_OK ? GMDS_OK : status;
   }
   if (status != GMDS_OK)
     return status;

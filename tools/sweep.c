@@ -1,5 +1,5 @@
-/* gmds sweep: one Bowyer-Watson text over many models, each in a process of its own so that one's crash or memory is not
- * the others'. */
+/* gmds sweep: one Bowyer-Watson text over many models, each in a process of its own so that one's crash or memory is
+ * not the others'. */
 #define _DEFAULT_SOURCE
 #include "command.h"
 #include "file.h"
@@ -45,17 +45,18 @@ typedef struct sweep {
 
 /* ---- which models */
 
-/* Adds the models of volumes of a word: `named`, those of named.h and the one for Delaunay triangulations; `paths`, the 64
- * that take every path. */
+/* Adds the models of volumes of a word: `named`, those of named.h and the one for Delaunay triangulations; `paths`, the
+ * 64 that take every path. */
 static gmds_status choose_volumes(sweep *s, gmds_error *error)
 {
 #define NAME(name, mask, why) #name,
   static const char *const named[] = {GMDS_NAMED_LIST(NAME) "N|R|R2N|R2R"};
 #undef NAME
-  for (size_t k = 0; strcmp(s->models, "named") == 0 && k < sizeof named / sizeof *named; k++)
-    GMDS_TRY(find_model(named[k], 3, error, &s->chosen[s->n++]));
-  if (s->n)
+  if (strcmp(s->models, "named") == 0) {
+    for (size_t k = 0; k < sizeof named / sizeof *named; k++)
+      GMDS_TRY(find_model(named[k], 3, error, &s->chosen[s->n++]));
     return GMDS_OK;
+  }
   unsigned masks[GMDS_PATH_MODELS];
   gmds_census_paths(masks);
   for (size_t k = 0; k < GMDS_PATH_MODELS; k++) {
@@ -71,20 +72,23 @@ static gmds_status choose_surfaces(sweep *s, gmds_error *error)
   size_t n_all = 0;
   const model_entry *const *models = all_models(&n_all);
   const int all = strcmp(s->models, "all") == 0;
+  if (strcmp(s->models, "table4") == 0) {
+    for (size_t k = 0; k < sizeof table4 / sizeof *table4; k++)
+      GMDS_TRY(find_model(table4[k].mask, 2, error, &s->chosen[s->n++]));
+    return GMDS_OK;
+  }
   for (size_t k = 0; k < n_all; k++)
-    if (models[k]->dim == 2 &&
-        (all || (strcmp(s->models, "paper105") == 0 && gmds_census_of(models[k]->mask, 2).paper105)))
+    if (models[k]->dim == 2 && (all || gmds_census_of(models[k]->mask, 2).paper105))
       choose_model(models[k], &s->chosen[s->n++]);
-  for (size_t k = 0; !s->n && k < sizeof table4 / sizeof *table4; k++)
-    GMDS_TRY(find_model(table4[k].mask, 2, error, &s->chosen[s->n++]));
   return GMDS_OK;
 }
 
 static int is_word(const char *text, int dim)
 {
-  static const char *const words[2][3] = {{"all", "paper105", "table4"}, {"named", "paths", "paths"}};
-  for (int k = 0; k < 3; k++)
-    if (strcmp(text, words[dim - 2][k]) == 0)
+  static const char *const words[] = {"all", "paper105", "table4", "named", "paths"};
+  const size_t from = dim == 3 ? 3 : 0, to = dim == 3 ? 5 : 3;
+  for (size_t k = from; k < to; k++)
+    if (strcmp(text, words[k]) == 0)
       return 1;
   return 0;
 }
@@ -98,6 +102,8 @@ static gmds_status choose(sweep *s, gmds_error *error)
     return gmds_fail(error, GMDS_ERR_MEMORY, "out of memory for the list of models");
   if (is_word(s->models, s->dim))
     return s->dim == 3 ? choose_volumes(s, error) : choose_surfaces(s, error);
+  if (is_word(s->models, 5 - s->dim))
+    return gmds_fail(error, GMDS_ERR_ARGUMENT, "--models %s is for --dim %d", s->models, 5 - s->dim);
   for (const char *at = s->models;; at++) {
     char text[512]; /* find_model() refuses what is half as long */
     size_t length = strcspn(at, ",");
@@ -292,8 +298,11 @@ static int run(const verb *v, int argc, char **argv)
     s.models = s.dim == 3 ? "named" : "all";
   if (!read_number(jobs, 1, 1024, &s.jobs))
     return misused(v, "--jobs is a number from 1, not '%s'", jobs);
+  if (s.expect && strchr(s.expect, '\n'))
+    return misused(v, "--expect takes one checksum, not several lines that begin with '%.*s'",
+                   (int)strcspn(s.expect, "\n"), s.expect);
   if (s.expect && !is_checksum(s.expect))
-    return misused(v, "--expect takes 16 hexadecimal digits, not '%s'", s.expect);
+    return misused(v, "--expect takes 16 hexadecimal digits in lower case, not '%s'", s.expect);
   if (s.plot && !is_svg(s.plot))
     return misused(v, "--plot writes SVG: '%s' does not end in .svg", s.plot);
   if (s.plot && s.csv && strcmp(s.plot, s.csv) == 0)

@@ -38,7 +38,9 @@ run 2 delaunay random:10:1 --dim 4
 run 2 delaunay random:10:1 --threads 0
 run 2 delaunay random:10:1 --threads 5000 && says '4096'
 run 2 models --dim 5
-run 2 sweep --expect 123
+run 2 sweep --expect 123 && says "16 hexadecimal digits in lower case, not '123'"
+run 2 sweep --expect 0123456789ABCDEF && says 'lower case'
+run 2 sweep --dim 3 --expect "$(printf '0123456789abcdef\n0123456789abcdef')" && says 'one checksum'
 run 2 sweep --jobs zero
 run 2 models --csv=1
 run 2 sweep --plot x.png
@@ -57,6 +59,9 @@ run 0 models --dim 3 --csv
 [ "$(awk -F, 'NR>1{s+=$3} END{print s}' out)" = 5856 ] || fail "identified in 3D"
 run 0 models 'N|F|F2N|F2F' && prints 'direct matrix' && prints '0 -> 2  global' && prints 'traversal of F2N'
 run 0 models 'N|E|F|R|N2E|E2N|E2F|F2E|F2R|R2F' && prints '2 2 x 2'
+run 0 models R1 && prints 'model N|R|N2R|R2N'
+for name in F1 F2 F3 F4 F5 F6 R1 R2 R3 R4; do run 0 models --dim 3 $name --csv && prints '^N|.*R2'; done
+run 1 models --dim 2 R1 && says 'R1'
 run 1 models 'N|F|F2X' && says "'F2X'"
 run 1 models 'N||F' && says 'no cell'
 
@@ -74,9 +79,12 @@ run 0 sweep --dim 3 --points random:50:1 && prints '11 of 11 models ok'
 run 0 sweep --dim 3 --points random:20:1 --models paths --csv space.csv && prints '64 of 64 models ok'
 [ "$(wc -l <space.csv)" = 65 ] || fail "the sweep of paths has $(wc -l <space.csv) lines"
 run 0 sweep --dim 3 --points random:20:1 --models 'R1,N|R|R2N,F4' && prints '3 of 3 models ok'
-run 1 sweep --dim 3 --points random:20:1 --models 'N|F|F2N' && says 'cannot answer 3->0'
+run 1 sweep --dim 3 --points random:20:1 --models 'N|F|F2N' && says 'keeps no regions: add R'
+run 1 sweep --dim 3 --points random:20:1 --models 'N|R|N2F' && says 'cannot answer 3->0'
 run 1 sweep --dim 3 --points random:20:1 --models 'N|R|R2N +R2R' && says 'borrows nothing'
-run 1 sweep --dim 3 --models all && says "'all'"
+for word in all paper105 table4; do run 1 sweep --dim 3 --models $word && says "models $word is for --dim 2"; done
+for word in named paths; do run 1 sweep --models $word && says "models $word is for --dim 3"; done
+run 1 sweep --dim 3 --models F9 && says "'F9' is no model of volumes.*F1 to F6"
 run 1 delaunay random:10:1 --dim 3 --model 'N|E|R|E2R|R2N|N2E|E2E|R2E|R2R|N2N' && says 'none of the models'
 run 0 delaunay random:1225:1 --model 'F|N|N2F' --json && prints '"checksum":"714e3f4d1a8d5edb"'
 run 0 delaunay random:50:1 -o square.off && run 0 check square.off --json && prints '"inconsistent_edges":0'
@@ -233,6 +241,19 @@ run 0 check three.mesh --json && prints_all '"nonmanifold_faces":1' '"inverted":
 run 0 check three.mesh && prints_all '1 faces with more than two regions' '1 inverted regions, first region 2' 'the sixteen but R2R'
 printf 'MeshVersionFormatted 2\nDimension 3\nVertices 7\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n-1 0 0 0\n0 -1 0 0\n0 0 -1 0\nTetrahedra 2\n1 2 3 4 0\n1 5 7 6 0\nEnd\n' >touching.mesh
 run 0 check touching.mesh --json && prints_all '"components":2' '"nonmanifold_nodes":1' '"nonmanifold_edges":0' '"manifold":false'
+# a tetrahedron with a point twice, which leaves volumes without a region; a flat one; one listed twice; a crossed face
+printf 'MeshVersionFormatted 2\nDimension 3\nVertices 3\n0 0 0 0\n1 0 0 0\n0 1 0 0\nTetrahedra 1\n1 2 3 3 0\nEnd\n' >none.mesh
+run 0 check none.mesh --json && prints_all '"regions":0' '"degenerate":1' '"closed":false'
+run 0 check none.mesh && prints_all '0 regions in 0 components' '1 degenerate cells left out' '^  no border$'
+printf 'MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n1 1 0 0\nTetrahedra 1\n1 2 3 4 0\nEnd\n' >flat.mesh
+run 0 check flat.mesh --json && prints_all '"regions":1' '"inverted":0,"flat":1'
+sed -e 's/^Tetrahedra 1/Tetrahedra 2/' -e 's/^1 2 3 4 0/&\n2 1 3 4 0/' flat.mesh >again.mesh
+run 0 check again.mesh --json && prints_all '"regions":2' '"repeated":1' '"border_faces":0' '"closed":false'
+run 0 check again.mesh && prints_all '1 regions with the nodes of another, first region 1' '^  no border$'
+sed -e 's/^Vertices 9/Vertices 13/' -e 's/^5 5 5 0/&\n0 0 2 0\n1 0 2 0\n1 1 2 0\n0 1 2 0/' -e 's/^Hexahedra 1/Hexahedra 2/' \
+  -e 's/^1 2 3 4 5 6 7 8 0/&\n5 7 6 8 10 11 12 13 0/' solid.mesh >crossed.mesh
+run 0 check crossed.mesh --json && prints_all '"regions":2' '"crossed_faces":1'
+run 0 check crossed.mesh && prints_all '1 faces whose regions list their nodes in other orders' 'the eight without faces and R2R'
 cat >polyhedron.vtk <<'END'
 # vtk DataFile Version 3.0
 a cube by its faces
