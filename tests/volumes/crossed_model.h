@@ -1,6 +1,11 @@
-/* Opens a named model of volumes (NAMED) with what test_crossed.c asks of it: RUN is the prefix. */
+/* Opens a named model of volumes (NAMED) with what test_crossed.c asks of it: RUN is the prefix, SIMPLICES says that it
+ * holds tetrahedra alone. */
 #define GMDS_PREFIX RUN
-#define GMDS_REGIONS (TETRAHEDRON | PYRAMID | PRISM | HEXAHEDRON)
+#if defined SIMPLICES
+#  define GMDS_REGIONS TETRAHEDRON
+#else
+#  define GMDS_REGIONS (TETRAHEDRON | PYRAMID | PRISM | HEXAHEDRON)
+#endif
 #define GMDS_FACES (TRIANGLE | QUADRILATERAL | POLYGON)
 #include NAMED
 #include <gmds/algorithms/manifold.h>
@@ -93,4 +98,5 @@ static const subject OF(subject) = {.name = GMDS_TEXT(RUN),
 #undef MODEL_CAT
 #undef MODEL_CAT_
 #undef NAMED
+#undef SIMPLICES
 #undef RUN

@@ -1,8 +1,9 @@
-/* Faces with the same nodes in different orders around: one rule in the ten named models, and regions that are removed
- * together. */
+/* The ten named models of volumes: faces with the same nodes in different orders around, regions that are removed
+ * together, flat tetrahedra whose order is not stored, and what a soup calls its attributes. */
 #include "harness.h"
 #include <gmds/cells.h>
 #include <gmds/manifold.h>
+#include <gmds/predicates.h>
 
 typedef struct subject {
   const char *name;
@@ -50,6 +51,11 @@ typedef struct subject {
 #include "volumes/crossed_model.h"
 #define RUN r4
 #define NAMED <gmds/named/r4.h>
+#include "volumes/crossed_model.h"
+
+#define RUN f2_tetrahedra
+#define NAMED <gmds/named/f2.h>
+#define SIMPLICES
 #include "volumes/crossed_model.h"
 
 static const subject *const subjects[] = {&f1_subject, &f2_subject, &f3_subject, &f4_subject, &f5_subject,
@@ -251,6 +257,68 @@ START_TEST(regions_are_removed_together_or_not_at_all)
 }
 END_TEST
 
+/* ---- flat tetrahedra */
+
+/* Four points near a plane: a tilted one, rounded; one through a diagonal but for the last bits; one of a grid. */
+static void make_flat(size_t kind, uint64_t *seed, double x[4][3])
+{
+  for (int k = 0; k < 4; k++) {
+    const double a = random_unit(seed), b = random_unit(seed), last = 0x1p-52 * (double)random_below(seed, 3);
+    const double i = (double)random_below(seed, 9), j = (double)random_below(seed, 9);
+    const double of_kind[3][3] = {{a, b, 0.3 * a + 0.7 * b}, {1 + a, b, 1 + a + last}, {i, j, i + 2 * j}};
+    memcpy(x[k], of_kind[kind], sizeof of_kind[kind]);
+  }
+}
+
+static void tetrahedra_are_turned(const subject *s)
+{
+  enum { ROUNDS = 3000 };
+  gmds_soup soup;
+  gmds_volume_report report;
+  uint64_t seed = 71;
+  size_t flat = 0;
+  void *m = malloc(s->bytes);
+  gmds_memory_init(&memory, NULL);
+  gmds_soup_init(&soup, &memory, 3);
+  s->begin(m);
+  for (size_t k = 0; k < ROUNDS; k++) {
+    double x[4][3];
+    gmds_id v[4], id = 0;
+    make_flat(k % 3, &seed, x);
+    for (int q = 0; q < 4; q++)
+      ck_assert_int_eq(s->add_node(m, x[q], &v[q]), GMDS_OK);
+    if (gmds_orient3d(x[0], x[1], x[2], x[3]) < 0) { /* models that store the order keep this one */
+      const gmds_id swap = v[0];
+      v[0] = v[1];
+      v[1] = swap;
+    }
+    ck_assert_int_eq(s->add_region(m, GMDS_TETRAHEDRON, v, &id), GMDS_OK);
+  }
+  ck_assert_int_eq(s->list(m, &soup, NULL), GMDS_OK);
+  for (size_t c = 0; c < ROUNDS; c++) {
+    const gmds_id *v = soup.corners + soup.begin[c];
+    const double *p = soup.points;
+    const int sign = gmds_orient3d(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2], p + 3 * v[3]);
+    ck_assert_msg(sign >= 0, "%s: tetrahedron %zu is inverted", s->name, c);
+    flat += sign == 0;
+  }
+  ck_assert_int_eq(s->look(m, &report), GMDS_OK);
+  ck_assert_uint_eq(report.inverted.count, 0);
+  ck_assert_uint_eq(report.degenerate.count, flat);
+  ck_assert_msg(flat >= ROUNDS / 3 && flat < ROUNDS / 2, "%zu of %d are flat", flat, ROUNDS);
+  s->end(m);
+  free(m);
+  gmds_soup_clear(&soup);
+}
+
+START_TEST(flat_tetrahedra_come_back_turned_outwards)
+{
+  for (size_t k = 0; k < N_SUBJECTS; k++)
+    tetrahedra_are_turned(subjects[k]);
+  tetrahedra_are_turned(&f2_tetrahedra_subject);
+}
+END_TEST
+
 /* ---- what a soup calls its attributes */
 
 static void set_cells(gmds_soup *soup, const char *name, double from)
@@ -332,4 +400,4 @@ END_TEST
 RUN_SUITE("crossed faces", a_crossed_face_is_refused_and_changes_nothing, a_star_of_five_is_no_pentagon,
           a_region_with_a_crossed_face_is_refused_or_reported, a_soup_with_a_crossed_face_is_refused_by_a_sentence,
           regions_with_the_same_nodes_are_reported, regions_are_removed_together_or_not_at_all,
-          attributes_come_back_under_any_name, a_reserved_name_is_refused)
+          flat_tetrahedra_come_back_turned_outwards, attributes_come_back_under_any_name, a_reserved_name_is_refused)
