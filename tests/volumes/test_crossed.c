@@ -213,6 +213,57 @@ START_TEST(a_soup_with_a_crossed_face_is_refused_by_a_sentence)
 }
 END_TEST
 
+START_TEST(a_mesh_that_is_not_empty_is_not_filled)
+{
+  for (size_t k = 0; k < N_SUBJECTS; k++) {
+    const subject *s = subjects[k];
+    gmds_soup soup;
+    gmds_error error = {.status = GMDS_OK};
+    gmds_id id = 0;
+    size_t before[4], after[4];
+    begin_soup(&soup);
+    void *m = begin(s);
+    ck_assert_int_eq(s->add_region(m, GMDS_HEXAHEDRON, upper, &id), GMDS_OK);
+    counts(s, m, before);
+    ck_assert_int_eq(s->fill(m, &soup, &error), GMDS_ERR_ARGUMENT);
+    ck_assert(error.status == GMDS_ERR_ARGUMENT && error.text[0]);
+    counts(s, m, after);
+    ck_assert_int_eq(memcmp(before, after, sizeof before), 0);
+    gmds_soup_clear(&soup);
+    finish(s, m);
+  }
+}
+END_TEST
+
+/* Every allocation fails in turn: the complex is empty, and the sentence is that of what has failed. */
+START_TEST(a_complex_that_cannot_be_listed_is_empty)
+{
+  size_t listing = 0, joining = 0;
+  r1_mesh *m = begin(&r1_subject);
+  gmds_id id = 0;
+  ck_assert_int_eq(r1_add_region(m, GMDS_HEXAHEDRON, lower, &id), GMDS_OK);
+  for (long k = 0, done = 0; !done; k++) {
+    failing f = {.until = k};
+    const gmds_allocator allocator = failing_allocator(&f);
+    gmds_memory scarce;
+    gmds_complex c;
+    gmds_error error = {.status = GMDS_OK};
+    gmds_memory_init(&scarce, &allocator);
+    gmds_complex_init(&c, &scarce, 0);
+    const gmds_status status = r1_get_complex(m, &c, &error);
+    done = status == GMDS_OK;
+    ck_assert(done || (status == GMDS_ERR_MEMORY && error.status == status && !c.nodes[3].n && !f.live));
+    listing += strstr(error.text, "listing the cells") != NULL;
+    joining += strstr(error.text, "joining 0 faces and 1 regions") != NULL;
+    ck_assert_uint_eq(listing + joining, (size_t)(done ? k : k + 1));
+    gmds_complex_clear(&c);
+    ck_assert_uint_eq(f.live, 0);
+  }
+  ck_assert(listing > 1 && joining > 1);
+  finish(&r1_subject, m);
+}
+END_TEST
+
 START_TEST(regions_with_the_same_nodes_are_reported)
 {
   for (size_t k = 0; k < N_SUBJECTS; k++) {
@@ -399,5 +450,6 @@ END_TEST
 
 RUN_SUITE("crossed faces", a_crossed_face_is_refused_and_changes_nothing, a_star_of_five_is_no_pentagon,
           a_region_with_a_crossed_face_is_refused_or_reported, a_soup_with_a_crossed_face_is_refused_by_a_sentence,
+          a_mesh_that_is_not_empty_is_not_filled, a_complex_that_cannot_be_listed_is_empty,
           regions_with_the_same_nodes_are_reported, regions_are_removed_together_or_not_at_all,
           flat_tetrahedra_come_back_turned_outwards, attributes_come_back_under_any_name, a_reserved_name_is_refused)
