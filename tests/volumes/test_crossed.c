@@ -430,6 +430,37 @@ START_TEST(attributes_come_back_under_any_name)
 }
 END_TEST
 
+/* Names have 480 bytes at most: what a mesh adds to them must fit. */
+START_TEST(a_name_that_is_too_long_is_refused)
+{
+  enum { LONGEST = 480 };
+  for (size_t more = 0; more < 2; more++) {
+    char name[LONGEST + 2];
+    gmds_soup soup, back;
+    gmds_error error = {.status = GMDS_OK};
+    r3_mesh m;
+    memset(name, 'x', sizeof name);
+    name[LONGEST + more] = 0;
+    begin_soup(&soup);
+    gmds_soup_init(&back, &memory, 3);
+    r3_mesh_init(&m, NULL);
+    for (int q = 0; q < 2; q++) /* the second time needs the longest names */
+      ck_assert_int_eq(gmds_soup_add_cell(&soup, GMDS_VERTEX, 1, &upper[0]), GMDS_OK);
+    set_cells(&soup, name, 5);
+    ck_assert_int_eq(r3_from_soup(&m, &soup, &error), more ? GMDS_ERR_ARGUMENT : GMDS_OK);
+    ck_assert(!more || strstr(error.text, "a name of more than 480 bytes"));
+    if (!more) {
+      ck_assert_int_eq(r3_to_soup(&m, &back, &error), GMDS_OK);
+      const gmds_attribute *a = gmds_soup_find_attribute(&back, GMDS_OF_CELLS, name);
+      ck_assert(a && ((const double *)a->data)[0] == 6 && ((const double *)a->data)[1] == 7);
+    }
+    r3_mesh_clear(&m);
+    gmds_soup_clear(&soup);
+    gmds_soup_clear(&back);
+  }
+}
+END_TEST
+
 START_TEST(a_reserved_name_is_refused)
 {
   for (int place = 0; place < GMDS_PLACE_COUNT; place++) {
@@ -452,4 +483,5 @@ RUN_SUITE("crossed faces", a_crossed_face_is_refused_and_changes_nothing, a_star
           a_region_with_a_crossed_face_is_refused_or_reported, a_soup_with_a_crossed_face_is_refused_by_a_sentence,
           a_mesh_that_is_not_empty_is_not_filled, a_complex_that_cannot_be_listed_is_empty,
           regions_with_the_same_nodes_are_reported, regions_are_removed_together_or_not_at_all,
-          flat_tetrahedra_come_back_turned_outwards, attributes_come_back_under_any_name, a_reserved_name_is_refused)
+          flat_tetrahedra_come_back_turned_outwards, attributes_come_back_under_any_name,
+          a_name_that_is_too_long_is_refused, a_reserved_name_is_refused)
