@@ -1,13 +1,7 @@
 /* The checksum of a set of cells. */
+#include "mix.h"
 #include <gmds/checksum.h>
 #include <string.h>
-
-static uint64_t mix64(uint64_t x)
-{
-  x = (x ^ (x >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-  x = (x ^ (x >> 27)) * UINT64_C(0x94d049bb133111eb);
-  return x ^ (x >> 31);
-}
 
 static int before(int dim, const double *a, const double *b)
 {
@@ -38,7 +32,7 @@ gmds_status gmds_checksum_cell(int dim, const double *points, size_t n, gmds_id 
       double x = points[d * nodes[i] + k] + 0.0; /* -0 becomes +0 */
       uint64_t w = 0;
       memcpy(&w, &x, sizeof w);
-      sum = mix64((sum ^ w) + UINT64_C(0x9e3779b97f4a7c15));
+      sum = mix((sum ^ w) + UINT64_C(0x9e3779b97f4a7c15));
     }
   *h = sum;
   return GMDS_OK;

@@ -1,16 +1,10 @@
 /* The same sets of nodes: open addressing, the key of a set a sum over its nodes. */
 #include "sets.h"
+#include "mix.h"
 #include <string.h>
 
 /* Rows up to this long are compared node by node, longer ones by marks. */
 enum { FEW = 8 };
-
-static uint64_t mix(uint64_t z)
-{
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
 
 typedef struct grouping {
   const size_t *begin;
