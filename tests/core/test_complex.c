@@ -1,5 +1,5 @@
-/* Cell complexes: all relations against brute force on random cells that share nodes; the table of shapes; regions found
- * again from their faces; and soups that no volume can be made of. */
+/* Cell complexes: all relations against brute force on random cells that share nodes; the table of shapes; regions
+ * found again from their faces; and soups that no volume can be made of. */
 #include "harness.h"
 #include <gmds/volume.h>
 

@@ -242,18 +242,21 @@ run 0 check three.mesh && prints_all '1 faces with more than two regions' '1 inv
 printf 'MeshVersionFormatted 2\nDimension 3\nVertices 7\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n-1 0 0 0\n0 -1 0 0\n0 0 -1 0\nTetrahedra 2\n1 2 3 4 0\n1 5 7 6 0\nEnd\n' >touching.mesh
 run 0 check touching.mesh --json && prints_all '"components":2' '"nonmanifold_nodes":1' '"nonmanifold_edges":0' '"manifold":false'
 # a tetrahedron with a point twice, which leaves volumes without a region; a flat one; one listed twice; a crossed face
-printf 'MeshVersionFormatted 2\nDimension 3\nVertices 3\n0 0 0 0\n1 0 0 0\n0 1 0 0\nTetrahedra 1\n1 2 3 3 0\nEnd\n' >none.mesh
+printf 'MeshVersionFormatted 2\nDimension 3\nVertices 3\n0 0 0 0\n1 0 0 0\n0 1 0 0\n' >none.mesh
+printf 'Tetrahedra 1\n1 2 3 3 0\nEnd\n' >>none.mesh
 run 0 check none.mesh --json && prints_all '"regions":0' '"degenerate":1' '"closed":false'
 run 0 check none.mesh && prints_all '0 regions in 0 components' '1 degenerate cells left out' '^  no border$'
-printf 'MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n1 1 0 0\nTetrahedra 1\n1 2 3 4 0\nEnd\n' >flat.mesh
+printf 'MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n1 1 0 0\n' >flat.mesh
+printf 'Tetrahedra 1\n1 2 3 4 0\nEnd\n' >>flat.mesh
 run 0 check flat.mesh --json && prints_all '"regions":1' '"inverted":0,"flat":1'
 sed -e 's/^Tetrahedra 1/Tetrahedra 2/' -e 's/^1 2 3 4 0/&\n2 1 3 4 0/' flat.mesh >again.mesh
 run 0 check again.mesh --json && prints_all '"regions":2' '"repeated":1' '"border_faces":0' '"closed":false'
 run 0 check again.mesh && prints_all '1 regions with the nodes of another, first region 1' '^  no border$'
-sed -e 's/^Vertices 9/Vertices 13/' -e 's/^5 5 5 0/&\n0 0 2 0\n1 0 2 0\n1 1 2 0\n0 1 2 0/' -e 's/^Hexahedra 1/Hexahedra 2/' \
-  -e 's/^1 2 3 4 5 6 7 8 0/&\n5 7 6 8 10 11 12 13 0/' solid.mesh >crossed.mesh
+sed -e 's/^Vertices 9/Vertices 13/' -e 's/^5 5 5 0/&\n0 0 2 0\n1 0 2 0\n1 1 2 0\n0 1 2 0/' \
+  -e 's/^Hexahedra 1/Hexahedra 2/' -e 's/^1 2 3 4 5 6 7 8 0/&\n5 7 6 8 10 11 12 13 0/' solid.mesh >crossed.mesh
 run 0 check crossed.mesh --json && prints_all '"regions":2' '"crossed_faces":1'
-run 0 check crossed.mesh && prints_all '1 faces whose regions list their nodes in other orders' 'the eight without faces and R2R'
+run 0 check crossed.mesh &&
+  prints_all '1 faces whose regions list their nodes in other orders' 'the eight without faces and R2R'
 cat >polyhedron.vtk <<'END'
 # vtk DataFile Version 3.0
 a cube by its faces

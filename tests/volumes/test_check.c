@@ -2,9 +2,9 @@
  * compiled model, and must be found wherever the other stored relations say what it should be.
  *
  * Where they do not, nothing can be found, and that is counted and printed: the relation is the only one from which its
- * pair of dimensions is known (the nodes of regions in N|R|R2N: any other four nodes are a tetrahedron too), or the cell is
- * one of which nothing else knows (an edge or a face that bounds nothing), or the model cannot list its cells, so that only
- * relations stored both ways are held against each other. */
+ * pair of dimensions is known (the nodes of regions in N|R|R2N: any other four nodes are a tetrahedron too), or the
+ * cell is one of which nothing else knows (an edge or a face that bounds nothing), or the model cannot list its cells,
+ * so that only relations stored both ways are held against each other. */
 #include "volumes/pool.h"
 #include <gmds/census.h>
 #include <gmds/shapes.h>
