@@ -55,6 +55,7 @@ _Static_assert(GMDS_ADDS_FACES,
 #    define leave GMDS_FN(leave)
 #    define reserve_cavity GMDS_FN(reserve_cavity)
 #    define insert_alone GMDS_FN(insert_alone)
+#    define insert_shared GMDS_FN(insert_shared)
 #    define insert_point GMDS_FN(insert_point)
 #    define face_range GMDS_FN(face_range)
 #    define owns GMDS_FN(owns)
@@ -70,7 +71,13 @@ _Static_assert(GMDS_ADDS_FACES,
 #    define find_start GMDS_FN(find_start)
 #    define insert_strip GMDS_FN(insert_strip)
 #    define tell_progress GMDS_FN(tell_progress)
-#    define set_up_threads GMDS_FN(set_up_threads)
+#    define supply GMDS_FN(supply)
+#    define assign_strips GMDS_FN(assign_strips)
+#    define open_stage GMDS_FN(open_stage)
+#    define open_round GMDS_FN(open_round)
+#    define close_round GMDS_FN(close_round)
+#    define open_rest GMDS_FN(open_rest)
+#    define insert_rest GMDS_FN(insert_rest)
 #    define insert_strips GMDS_FN(insert_strips)
 #    define insert_stage GMDS_FN(insert_stage)
 #    define insert_by_threads GMDS_FN(insert_by_threads)
@@ -107,6 +114,7 @@ _Static_assert(GMDS_ADDS_FACES,
 #    undef leave
 #    undef reserve_cavity
 #    undef insert_alone
+#    undef insert_shared
 #    undef insert_point
 #    undef face_range
 #    undef owns
@@ -122,7 +130,13 @@ _Static_assert(GMDS_ADDS_FACES,
 #    undef find_start
 #    undef insert_strip
 #    undef tell_progress
-#    undef set_up_threads
+#    undef supply
+#    undef assign_strips
+#    undef open_stage
+#    undef open_round
+#    undef close_round
+#    undef open_rest
+#    undef insert_rest
 #    undef insert_strips
 #    undef insert_stage
 #    undef insert_by_threads

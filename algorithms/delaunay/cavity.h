@@ -149,3 +149,10 @@ static inline gmds_status insert_alone(insertion *in, gmds_id v)
 {
   return insert_point(in, v, GMDS__ALONE);
 }
+
+#if GMDS_CONCURRENT_STARS
+static inline gmds_status insert_shared(insertion *in, gmds_id v)
+{
+  return insert_point(in, v, GMDS__SHARED);
+}
+#endif

@@ -1,114 +1,19 @@
-/* Insertion by several threads, in models with GMDS_CONCURRENT_STARS.
- *
- * A first part of the points, a sample of all, goes in as ever. Then the plane is cut into strips, one a thread, and each
- * thread inserts the points of its strip, going from face to face only where all nodes are its own, and puts off those
- * points for which that is not enough. Nothing is locked, and nothing needs to be:
- *   - a star removes and makes only faces of which all nodes are one thread's, and names the new ones in faces beyond sides
- *     of which both nodes are that thread's: no two threads write the same entry;
- *   - a thread reads the neighbours of faces that are its own, and the nodes of faces that share two nodes with such a
- *     face: these are its own too or have nodes of several threads, and then nobody writes them.
- * The ghost counts as everyone's node. What was put off is cut into strips across, and the little that is left goes in by
- * one thread. This is done in stages, of which each inserts seven times the points there are. The triangulation is unique,
- * so that it does not depend on any of this; the numbering of faces depends on the number of threads alone. */
+/* Insertion by several threads in the plane (strips.h): a star has two faces more than its cavity, so that the faces of all
+ * stars are taken at once, before the first, and dealt out two a point. */
 #if GMDS_CONCURRENT_STARS
 
-#  define GMDS__SAMPLE 1024
-#  define GMDS__STAGE_RATIO 8 /* that of the rounds of the order (geometry/order.c) */
+typedef struct supply {
+  face_range ranges[4 * GMDS_MAX_THREADS + 4]; /* faces that nobody has used, which an empty range ends */
+  face_range pieces[4 * GMDS_MAX_THREADS + 4]; /* of each thread, likewise */
+  size_t sampled;                              /* faces below this number had rows before any thread began */
+} supply;
 
-/* The work of all threads. */
-typedef struct concurrent {
-  unsigned threads;
-  insertion *in;                /* one a thread */
-  double cut[GMDS_MAX_THREADS]; /* strip t is from cut[t - 1] to below cut[t] */
-  int axis;
-  size_t n;                           /* points still to be inserted */
-  gmds_id *waiting, *dealt;           /* these points, and the same by strips */
-  size_t (*count)[GMDS_MAX_THREADS];  /* [t][s]: how many of part t of waiting are in strip s, then where they go */
-  size_t begin[GMDS_MAX_THREADS + 1]; /* where the points of each strip begin in `dealt` */
-  size_t kept[GMDS_MAX_THREADS];      /* how many of them were put off */
-  int starts[GMDS_MAX_THREADS];       /* whether the thread has a face to begin from */
-  gmds_status status[GMDS_MAX_THREADS];
-  const gmds_delaunay_options *options;
-  size_t sampled;      /* faces below this number had rows before any thread began */
-  _Atomic size_t done; /* points inserted */
-  _Atomic int calling; /* threads that are in options->progress, or would be */
-  _Atomic int stopped; /* by the caller, or a failure */
-} concurrent;
+#  include <gmds/algorithms/delaunay/strips.h>
 
-static inline unsigned strip_of(const concurrent *c, gmds_id v)
-{
-  double x = point(c->in->m, v)[c->axis];
-  unsigned strip = 0;
-  for (unsigned t = 0; t + 1 < c->threads; t++)
-    strip += x >= c->cut[t];
-  return strip;
-}
-
-static inline void count_part(void *work, unsigned t)
-{
-  concurrent *c = work;
-  size_t end = GMDS_SHARE(c->n, t + 1, c->threads);
-  for (size_t i = GMDS_SHARE(c->n, t, c->threads); i < end; i++)
-    c->count[t][strip_of(c, c->waiting[i])]++;
-}
-
-static inline void deal_part(void *work, unsigned t)
-{
-  concurrent *c = work;
-  size_t end = GMDS_SHARE(c->n, t + 1, c->threads);
-  for (size_t i = GMDS_SHARE(c->n, t, c->threads); i < end; i++)
-    c->dealt[c->count[t][strip_of(c, c->waiting[i])]++] = c->waiting[i];
-}
-
-/* Shell's sort: for a sample that is enough. */
-static inline void sort_sample(size_t n, double *x)
-{
-  for (size_t gap = n / 2; gap > 0; gap /= 2)
-    for (size_t i = gap; i < n; i++) {
-      double value = x[i];
-      size_t k = i;
-      for (; k >= gap && x[k - gap] > value; k -= gap)
-        x[k] = x[k - gap];
-      x[k] = value;
-    }
-}
-
-/* Cuts the plane so that the strips hold like numbers of a sample of the points, and deals the points. */
-static inline void cut_strips(concurrent *c, int axis)
-{
-  double sample[GMDS__SAMPLE];
-  size_t n = c->n < GMDS__SAMPLE ? c->n : GMDS__SAMPLE;
-  c->axis = axis;
-  for (size_t i = 0; i < n; i++)
-    sample[i] = point(c->in->m, c->waiting[c->n / n * i + c->n % n * i / n])[axis];
-  sort_sample(n, sample);
-  for (unsigned t = 0; t < c->threads; t++) {
-    c->cut[t] = t + 1 < c->threads ? sample[n * (t + 1) / c->threads] : HUGE_VAL;
-    memset(c->count[t], 0, sizeof c->count[t]);
-  }
-  gmds_share(c->threads, count_part, c);
-  size_t sum = 0;
-  for (unsigned s = 0; s < c->threads; s++) {
-    c->begin[s] = sum;
-    for (unsigned t = 0; t < c->threads; t++) {
-      size_t here = c->count[t][s];
-      c->count[t][s] = sum;
-      sum += here;
-    }
-  }
-  c->begin[c->threads] = sum;
-  gmds_share(c->threads, deal_part, c);
-}
-
-/* Gives thread t its strip, and a finite face of which all nodes are its own, from which its first walk begins. The value
- * is whether there is one. */
 static inline int find_start(concurrent *c, unsigned t)
 {
   insertion *in = &c->in[t];
-  in->axis = c->axis;
-  in->low = t > 0 ? c->cut[t - 1] : -HUGE_VAL;
-  in->high = t + 1 < c->threads ? c->cut[t] : HUGE_VAL;
-  for (gmds_id f = 0; f < c->sampled; f++) {
+  for (gmds_id f = 0; f < c->supply.sampled; f++) {
     gmds_id v[3];
     triangle_nodes(in->m, f, v);
     if (v[0] != in->ghost && v[1] != in->ghost && v[2] != in->ghost && owns(in, v[0]) && owns(in, v[1]) &&
@@ -120,173 +25,63 @@ static inline int find_start(concurrent *c, unsigned t)
   return 0;
 }
 
-/* Counts points as inserted and, if no other thread does so now, tells the caller how many are; notes when it wants no
- * more. Any thread may be the one: whichever has work goes on calling. */
-static inline void tell_progress(concurrent *c, size_t inserted)
+static inline void open_stage(concurrent *c)
 {
-  const gmds_delaunay_options *o = c->options;
-  c->done += inserted;
-  if (!o || !o->progress)
-    return;
-  if (c->calling++ == 0 && o->progress(o->user, c->done, c->in->ghost))
-    c->stopped = 1;
-  c->calling--;
+  insertion *in = c->in;
+  if (in->fresh.first == in->fresh.end)
+    in->fresh = *in->more; /* the rest of the last stage used what it found before */
+  c->supply.sampled = in->fresh.first;
+  c->supply.ranges[0] = in->fresh;
+  c->supply.ranges[1] = (face_range){0, 0};
 }
 
-/* Inserts the points of strip t; those put off gather at its beginning. */
-static inline void insert_strip(void *work, unsigned t)
+/* Deals faces from the front of the ranges in pieces; what is left of the ranges moves to their front. */
+static inline gmds_status open_round(concurrent *c)
 {
-  enum { EVERY = 4096 };
-  concurrent *c = work;
-  insertion *in = &c->in[t];
-  gmds_id *waiting = c->dealt + c->begin[t];
-  size_t n = c->starts[t] ? c->begin[t + 1] - c->begin[t] : 0, kept = 0, told = 0;
-  for (size_t i = 0; i < n; i++) {
-    if (i % EVERY == 0) {
-      tell_progress(c, i - kept - told);
-      told = i - kept;
-      if (c->stopped)
-        return;
-    }
-    in->deferred = 0;
-    gmds_status status = insert_point(in, waiting[i], GMDS__SHARED);
-    if (status != GMDS_OK) {
-      c->status[t] = status;
-      c->stopped = 1;
-      return;
-    }
-    if (in->deferred)
-      waiting[kept++] = waiting[i];
-  }
-  if (c->starts[t]) {
-    c->kept[t] = kept;
-    c->done += n - kept - told;
-  }
-}
-
-/* Sets all threads up. Faces are dealt out from the front of the ranges, two a point, in pieces; an empty piece ends a
- * thread's. What is left of the ranges begins at ranges[value]. */
-static inline size_t set_up_threads(concurrent *c, face_range *ranges, face_range *piece)
-{
-  size_t r = 0, used = 0;
+  face_range *ranges = c->supply.ranges, *piece = c->supply.pieces;
+  size_t r = 0, n = 0;
+  assign_strips(c);
   for (unsigned t = 0; t < c->threads; t++) {
     size_t need = 2 * (c->begin[t + 1] - c->begin[t]);
-    c->status[t] = GMDS_OK;
-    c->starts[t] = find_start(c, t);
-    c->kept[t] = c->begin[t + 1] - c->begin[t];
     c->in[t].fresh = (face_range){0, 0};
-    c->in[t].more = piece + used;
+    c->in[t].more = piece;
     while (need) {
       size_t here = (size_t)(ranges[r].end - ranges[r].first);
       here = here < need ? here : need;
-      piece[used++] = (face_range){ranges[r].first, ranges[r].first + (gmds_id)here};
+      *piece++ = (face_range){ranges[r].first, ranges[r].first + (gmds_id)here};
       ranges[r].first += (gmds_id)here;
       r += ranges[r].first == ranges[r].end;
       need -= here;
     }
-    piece[used++] = (face_range){0, 0};
+    *piece++ = (face_range){0, 0};
   }
-  return r;
+  for (; ranges[r].first < ranges[r].end; r++)
+    ranges[n++] = ranges[r];
+  ranges[n] = (face_range){0, 0};
+  return GMDS_OK;
 }
 
-/* One round of all threads over the points waiting[0 .. n). Those put off are waiting[0 .. n) then, and the faces that were not
- * used are the ranges, which an empty one ends. */
-static inline gmds_status insert_strips(concurrent *c, int axis, face_range *ranges)
+/* Puts the faces that were not used before the ranges. */
+static inline void close_round(concurrent *c)
 {
-  face_range pieces[4 * GMDS_MAX_THREADS + 4], rest[4 * GMDS_MAX_THREADS + 4];
-  cut_strips(c, axis);
-  size_t r = set_up_threads(c, ranges, pieces), n = 0, n_rest = 0;
-  gmds_share(c->threads, insert_strip, c);
+  face_range rest[4 * GMDS_MAX_THREADS + 4], *ranges = c->supply.ranges;
+  size_t n = 0;
   for (unsigned t = 0; t < c->threads; t++) {
-    GMDS_TRY(c->status[t]);
-    memmove(c->waiting + n, c->dealt + c->begin[t], c->kept[t] * sizeof *c->waiting);
-    n += c->kept[t];
     const insertion *in = &c->in[t];
     if (in->fresh.first < in->fresh.end)
-      rest[n_rest++] = in->fresh;
+      rest[n++] = in->fresh;
     for (const face_range *more = in->more; more->first < more->end; more++)
-      rest[n_rest++] = *more;
+      rest[n++] = *more;
   }
-  if (c->stopped)
-    return GMDS_ERR_CANCELLED;
-  for (; ranges[r].first < ranges[r].end; r++)
-    rest[n_rest++] = ranges[r];
-  memcpy(ranges, rest, n_rest * sizeof *ranges);
-  ranges[n_rest] = (face_range){0, 0};
-  c->n = n;
-  return GMDS_OK;
+  for (size_t r = 0; ranges[r].first < ranges[r].end; r++)
+    rest[n++] = ranges[r];
+  memcpy(ranges, rest, n * sizeof *ranges);
+  ranges[n] = (face_range){0, 0};
 }
 
-/* Inserts nodes first to end - 1 but `third`, a sample of the curve, into the triangulation of those before. */
-static inline gmds_status insert_stage(concurrent *c, gmds_id first, gmds_id end, gmds_id third)
+static inline void open_rest(concurrent *c)
 {
-  enum { EVERY = 4096 };
-  insertion *in = c->in;
-  const unsigned threads = c->threads;
-  face_range ranges[4 * GMDS_MAX_THREADS + 4] = {in->fresh, {0, 0}};
-  c->sampled = in->fresh.first;
-  c->n = 0;
-  for (gmds_id v = first; v < end; v++)
-    if (v != third)
-      c->waiting[c->n++] = v;
-  for (int axis = 0; axis < 2 && c->n > 0; axis++)
-    GMDS_TRY(insert_strips(c, axis, ranges));
-  in->fresh = (face_range){0, 0};
-  in->more = ranges;
-  c->threads = 1;
-  if (c->n > 0 && !find_start(c, 0))
-    return GMDS_ERR_INVARIANT;
-  for (size_t i = 0; i < c->n; i++) {
-    if (i % EVERY == 0) {
-      tell_progress(c, i ? EVERY : 0);
-      if (c->stopped)
-        return GMDS_ERR_CANCELLED;
-    }
-    GMDS_TRY(insert_alone(in, c->waiting[i]));
-  }
-  c->done += c->n ? c->n - (c->n - 1) / EVERY * EVERY : 0;
-  c->threads = threads;
-  if (in->fresh.first == in->fresh.end)
-    in->fresh = *in->more; /* what the other stages need */
-  return GMDS_OK;
+  c->in->fresh = (face_range){0, 0};
+  c->in->more = c->supply.ranges;
 }
-
-/* Inserts the nodes from `first` on, but `third`, into the triangulation of those before, which in[0] made; in[1], ...
- * are empty. Each stage has as many points as make a sample of the next: the finer the faces, the fewer have nodes of
- * several threads. */
-static inline gmds_status insert_by_threads(unsigned threads, insertion *in, gmds_id first, gmds_id third,
-                                            const gmds_delaunay_options *options)
-{
-  mesh *m = in->m;
-  gmds_memory *memory = mesh_memory(m);
-  const gmds_id end = in->ghost;
-  size_t room = end - first;
-  void *waiting = NULL, *dealt = NULL, *count = NULL;
-  concurrent c = {.threads = threads, .in = in, .options = options, .done = first};
-  gmds_status status = GMDS_ERR_MEMORY;
-  if (gmds_resize(memory, &waiting, 0, room, sizeof *c.waiting) &&
-      gmds_resize(memory, &dealt, 0, room, sizeof *c.dealt) &&
-      gmds_resize(memory, &count, 0, threads, sizeof *c.count)) {
-    c.waiting = waiting;
-    c.dealt = dealt;
-    c.count = count;
-    status = GMDS_OK;
-    for (unsigned t = 0; t < threads && status == GMDS_OK; t++) {
-      in[t].m = m;
-      in[t].ghost = in->ghost;
-      status = reserve_cavity(&in[t], 256);
-    }
-    for (gmds_id next; first < end && status == GMDS_OK; first = next) {
-      next = first < end / GMDS__STAGE_RATIO ? first * GMDS__STAGE_RATIO : end;
-      status = insert_stage(&c, first, next, third);
-    }
-  }
-  gmds_release(memory, waiting, waiting ? room : 0, sizeof *c.waiting);
-  gmds_release(memory, dealt, dealt ? room : 0, sizeof *c.dealt);
-  gmds_release(memory, count, count ? threads : 0, sizeof *c.count);
-  return status;
-}
-
-#  undef GMDS__SAMPLE
-#  undef GMDS__STAGE_RATIO
 #endif

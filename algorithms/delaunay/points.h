@@ -1,4 +1,22 @@
-/* From points to nodes: order, duplicates, the map from one to the other, and what is left when all lie on a line. */
+/* From points to nodes: how many threads, order, duplicates, the map from one to the other, and what is left when all lie on
+ * a line. */
+
+/* How many threads work on n points: as many as the options ask for, where the model lets several and each has enough to
+ * do. */
+static inline unsigned threads_for(size_t n, const gmds_delaunay_options *options)
+{
+  size_t threads = GMDS_CONCURRENT_STARS && options && options->threads > 1 ? (size_t)options->threads : 1;
+  size_t most = n / 4096 < GMDS_MAX_THREADS ? n / 4096 : GMDS_MAX_THREADS;
+  return (unsigned)(threads <= most ? threads : most > 1 ? most : 1);
+}
+
+/* How many of n points go in before the threads begin: a few rounds of the order. */
+static inline size_t first_part(size_t n, unsigned threads)
+{
+  while (n > 1024 * (size_t)threads)
+    n = (n + 7) / 8;
+  return n;
+}
 
 typedef struct placing {
   mesh *m;

@@ -37,14 +37,6 @@ static inline gmds_status first_triangle(insertion *in, gmds_id *third)
 #endif
 }
 
-/* How many of n points go in before the threads begin: a few rounds of the order. */
-static inline size_t first_part(size_t n, unsigned threads)
-{
-  while (n > 1024 * (size_t)threads)
-    n = (n + 7) / 8;
-  return n;
-}
-
 static inline gmds_status insert_all(insertion *in, unsigned threads, const gmds_delaunay_options *options)
 {
   enum { EVERY = 4096 };
@@ -65,7 +57,7 @@ static inline gmds_status insert_all(insertion *in, unsigned threads, const gmds
   }
 #if GMDS_CONCURRENT_STARS
   if (alone < n)
-    GMDS_TRY(insert_by_threads(threads, in, (gmds_id)alone, third, options));
+    GMDS_TRY(insert_by_threads(threads, in, (gmds_id)alone, (const gmds_id[2]){third, third}, options));
 #endif
   return remove_node(in->m, in->ghost, GMDS_CASCADE);
 }
@@ -80,15 +72,6 @@ static inline void clear_insertion(insertion *in)
   gmds_release(memory, in->pending, faces, sizeof *in->pending);
   gmds_ids_clear(&in->near);
   gmds_ids_clear(&in->nodes);
-}
-
-/* How many threads work on n points: as many as the options ask for, where the model lets several and each has enough to
- * do. */
-static inline unsigned threads_for(size_t n, const gmds_delaunay_options *options)
-{
-  size_t threads = GMDS_CONCURRENT_STARS && options && options->threads > 1 ? (size_t)options->threads : 1;
-  size_t most = n / 4096 < GMDS_MAX_THREADS ? n / 4096 : GMDS_MAX_THREADS;
-  return (unsigned)(threads <= most ? threads : most > 1 ? most : 1);
 }
 
 /* Triangulates the nodes of a mesh that has no faces. */

@@ -42,7 +42,44 @@ _Static_assert(GMDS_STARS,
 #  define number_of GMDS_FN(number_of)
 #  define find_sides GMDS_FN(find_sides)
 #  define find_walls GMDS_FN(find_walls)
-#  define insert_point GMDS_FN(insert_point)
+#  define owns GMDS_FN(owns)
+#  define owns_all GMDS_FN(owns_all)
+#  define defer GMDS_FN(defer)
+#  define is_deferred GMDS_FN(is_deferred)
+#  define number_at GMDS_FN(number_at)
+#  define renew_numbers GMDS_FN(renew_numbers)
+#  define remember_star GMDS_FN(remember_star)
+#  define grow_alone GMDS_FN(grow_alone)
+#  define find_walls_alone GMDS_FN(find_walls_alone)
+#  define insert_alone GMDS_FN(insert_alone)
+#  define locate_shared GMDS_FN(locate_shared)
+#  define grow_shared GMDS_FN(grow_shared)
+#  define find_walls_shared GMDS_FN(find_walls_shared)
+#  define insert_shared GMDS_FN(insert_shared)
+#  define supply GMDS_FN(supply)
+#  define push_spare GMDS_FN(push_spare)
+#  define pop_spare GMDS_FN(pop_spare)
+#  define supply_star GMDS_FN(supply_star)
+#  define concurrent GMDS_FN(concurrent)
+#  define strip_of GMDS_FN(strip_of)
+#  define count_part GMDS_FN(count_part)
+#  define deal_part GMDS_FN(deal_part)
+#  define sort_sample GMDS_FN(sort_sample)
+#  define cut_strips GMDS_FN(cut_strips)
+#  define assign_strips GMDS_FN(assign_strips)
+#  define find_start GMDS_FN(find_start)
+#  define open_stage GMDS_FN(open_stage)
+#  define open_round GMDS_FN(open_round)
+#  define close_round GMDS_FN(close_round)
+#  define open_rest GMDS_FN(open_rest)
+#  define tell_progress GMDS_FN(tell_progress)
+#  define insert_strip GMDS_FN(insert_strip)
+#  define insert_strips GMDS_FN(insert_strips)
+#  define insert_rest GMDS_FN(insert_rest)
+#  define insert_stage GMDS_FN(insert_stage)
+#  define insert_by_threads GMDS_FN(insert_by_threads)
+#  define threads_for GMDS_FN(threads_for)
+#  define first_part GMDS_FN(first_part)
 #  define first_four GMDS_FN(first_four)
 #  define begin_with GMDS_FN(begin_with)
 #  define insert_all GMDS_FN(insert_all)
@@ -58,6 +95,7 @@ _Static_assert(GMDS_STARS,
 #  include <gmds/algorithms/delaunay/space/walk.h>
 #  include <gmds/algorithms/delaunay/space/cavity.h>
 #  include <gmds/algorithms/delaunay/points.h>
+#  include <gmds/algorithms/delaunay/space/parallel.h>
 #  include <gmds/algorithms/delaunay/space/run.h>
 #  undef tetrahedron
 #  undef candidate
@@ -81,7 +119,47 @@ _Static_assert(GMDS_STARS,
 #  undef number_of
 #  undef find_sides
 #  undef find_walls
-#  undef insert_point
+#  undef GMDS__ALONE
+#  undef GMDS__SHARED
+#  undef GMDS__OF_GHOST
+#  undef owns
+#  undef owns_all
+#  undef defer
+#  undef is_deferred
+#  undef number_at
+#  undef renew_numbers
+#  undef remember_star
+#  undef grow_alone
+#  undef find_walls_alone
+#  undef insert_alone
+#  undef locate_shared
+#  undef grow_shared
+#  undef find_walls_shared
+#  undef insert_shared
+#  undef supply
+#  undef push_spare
+#  undef pop_spare
+#  undef supply_star
+#  undef concurrent
+#  undef strip_of
+#  undef count_part
+#  undef deal_part
+#  undef sort_sample
+#  undef cut_strips
+#  undef assign_strips
+#  undef find_start
+#  undef open_stage
+#  undef open_round
+#  undef close_round
+#  undef open_rest
+#  undef tell_progress
+#  undef insert_strip
+#  undef insert_strips
+#  undef insert_rest
+#  undef insert_stage
+#  undef insert_by_threads
+#  undef threads_for
+#  undef first_part
 #  undef first_four
 #  undef begin_with
 #  undef insert_all

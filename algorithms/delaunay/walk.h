@@ -55,43 +55,7 @@ typedef struct insertion {
 #endif
 } insertion;
 
-/* What follows is compiled twice: for an insertion that has the mesh to itself, and for one of several threads, each of
- * which goes from face to face only where all nodes are its own (parallel.h). */
-#define GMDS__ALONE 0
-#define GMDS__SHARED 1
-
-/* Whether a node is this thread's. The ghost, whose coordinates are not numbers, is everyone's. */
-static inline int owns(const insertion *in, gmds_id v)
-{
-#if GMDS_CONCURRENT_STARS
-  double x = point(in->m, v)[in->axis];
-  return !(x < in->low) & !(x >= in->high);
-#else
-  (void)in;
-  (void)v;
-  return 1;
-#endif
-}
-
-/* Puts the point in hand off until all threads are done. */
-static inline void defer(insertion *in)
-{
-#if GMDS_CONCURRENT_STARS
-  in->deferred = 1;
-#else
-  (void)in;
-#endif
-}
-
-static inline int is_deferred(const insertion *in)
-{
-#if GMDS_CONCURRENT_STARS
-  return in->deferred;
-#else
-  (void)in;
-  return 0;
-#endif
-}
+#include <gmds/algorithms/delaunay/sharing.h>
 
 #if GMDS_ACROSS
 

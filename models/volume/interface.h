@@ -214,6 +214,24 @@ static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, size_t n
                                gmds_id *ids);
 #endif
 
+/* The same by several threads at once, in models in which a star writes nothing but the rows of its regions and the
+ * entries that name them beyond its walls (GMDS_CONCURRENT_STARS: tetrahedra with R2N and R2R, no other relation, no
+ * edges and no faces). Calls may run at the same time when their cavities and apexes differ, no region is in one cavity and
+ * beyond a wall of another, and no other call changes the mesh; queries of regions that no star touches may run beside them.
+ *
+ * take_regions: at most n regions, as many as there is room for without growing, numbered from *first on without a gap, alive
+ * and without rows: until each has become part of a star, or was given back, queries and traversals must not meet it. How
+ * many. O(n).
+ * drop_regions: gives back regions [first, first + n) of which nothing is named by others.
+ * star_of: the star of n_walls walls, at most GMDS_STAR_OF_WALLS, on the regions ids: those of the cavity and such regions.
+ * Those of the cavity that are not among them are the caller's, as if taken. Nothing is checked, nothing fails. */
+#if GMDS_CONCURRENT_STARS
+#  define GMDS_STAR_OF_WALLS 124
+static inline size_t take_regions(mesh *m, size_t n, gmds_id *first);
+static inline void drop_regions(mesh *m, gmds_id first, size_t n);
+static inline void star_of(mesh *m, gmds_id apex, size_t n_walls, const gmds_cavity_wall *walls, const gmds_id *ids);
+#endif
+
 /* ---- the whole mesh
 
  * Verifies every stored relation against the nodes of all cells, where the model can list them (GMDS_LISTS_CELLS), else

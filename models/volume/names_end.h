@@ -233,6 +233,9 @@
 #undef share_side
 #undef share_wall
 #undef star
+#undef star_of
+#undef take_regions
+#undef drop_regions
 #undef start_with
 #undef step
 #undef surroundings
@@ -267,6 +270,7 @@
 #undef GMDS_ADDS_REGIONS
 #undef GMDS_LISTS_CELLS
 #undef GMDS_STARS
+#undef GMDS_STAR_OF_WALLS
 #undef GMDS__ARITY_1_0
 #undef GMDS__ARITY_2_0
 #undef GMDS__ARITY_2_1

@@ -209,6 +209,30 @@ static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, size_t n
     gmds_cells_drop(&m->cells[3], ids[i]);
   return GMDS_OK;
 }
+
+#    if GMDS_CONCURRENT_STARS
+_Static_assert(GMDS_STAR_OF_WALLS / 2 + 2 <= GMDS__STAR_WIDTH, "a star of several threads needs no room of the mesh");
+
+static inline size_t take_regions(mesh *m, size_t n, gmds_id *first)
+{
+  const gmds_cells *cells = &m->cells[3];
+  const size_t room = (cells->capacity < cells->limit ? cells->capacity : cells->limit) - cells->end;
+  n = n < room ? n : room;
+  *first = gmds_cells_take_many(&m->cells[3], n);
+  return n;
+}
+
+static inline void drop_regions(mesh *m, gmds_id first, size_t n)
+{
+  for (size_t k = n; k-- > 0;)
+    gmds_cells_drop(&m->cells[3], first + (gmds_id)k);
+}
+
+static inline void star_of(mesh *m, gmds_id apex, size_t n_walls, const gmds_cavity_wall *walls, const gmds_id *ids)
+{
+  write_small_star(m, apex, n_walls, walls, ids);
+}
+#    endif
 #  else
 static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, size_t n_walls, const gmds_cavity_wall *walls,
                                gmds_id *ids)

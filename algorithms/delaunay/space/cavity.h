@@ -73,13 +73,12 @@ GMDS_APART gmds_status reserve_marks(insertion *in, size_t n)
   return GMDS_OK;
 }
 
-/* Gathers the cavity of node v from a tetrahedron in it, breadth first. Each tetrahedron is tested once, two at a time, and
+/* Gathers the cavity of p from a tetrahedron in it, breadth first. Each tetrahedron is tested once, two at a time, and
  * appended without a branch; what will be read of those in the queue, and of the numbers of nodes, is on its way meanwhile. */
-GMDS_APART gmds_status grow_cavity(insertion *in, const candidate *root, gmds_id v)
+GMDS_SPECIALISED gmds_status grow_cavity(insertion *in, const candidate *root, const double p[3], int sharing)
 {
   const mesh *m = in->m;
-  const double *p = point(m, v);
-  const gmds_id outside = 2 * v, start = root->region;
+  const gmds_id outside = in->stamp += 2, start = root->region;
   gmds_id *const marks = in->marks, *const local = in->local;
   size_t n = 1, n_tested = 0, done = 0;
   candidate *tested = in->tested;
@@ -87,11 +86,19 @@ GMDS_APART gmds_status grow_cavity(insertion *in, const candidate *root, gmds_id
   marks[start] = outside + 1;
   for (size_t i = 0; i < n; i++) {
     if (n + 8 > in->capacity) {
+      if (sharing == GMDS__SHARED) {
+        defer(in);
+        return GMDS_OK;
+      }
       GMDS_TRY(reserve_cavity(in, n + 8));
       tested = in->tested;
     }
     candidate around[4];
     GMDS_TRY(load(in, i, around));
+    if (sharing == GMDS__SHARED && !owns_all(in, in->cavity[i].node)) {
+      defer(in);
+      return GMDS_OK;
+    }
     for (int k = 0; k < 4; k++) {
       const gmds_id next = around[k].region, mark = marks[next];
       tested[n_tested] = around[k];
@@ -119,8 +126,8 @@ GMDS_APART gmds_status grow_cavity(insertion *in, const candidate *root, gmds_id
   return GMDS_OK;
 }
 
-/* The number of a node within the boundary at work, the next one if it has none. */
-static inline unsigned number_of(gmds_id *local, gmds_id v, gmds_id base, gmds_id *count)
+/* The number of a node, whose entry in in->local is at `v`, within the boundary at work, the next one if it has none. */
+static inline unsigned number_of(gmds_id *local, size_t v, gmds_id base, gmds_id *count)
 {
   const gmds_id had = local[v], next = base + *count, is_new = had < base, l = had ^ ((had ^ next) & (0 - is_new));
   local[v] = l;
@@ -129,9 +136,9 @@ static inline unsigned number_of(gmds_id *local, gmds_id v, gmds_id base, gmds_i
 }
 
 /* The faces of the cavity whose other side is outside, as in->sides. */
-GMDS_APART void find_sides(insertion *in, gmds_id v)
+GMDS_APART void find_sides(insertion *in)
 {
-  const gmds_id inside = 2 * v + 1, *marks = in->marks;
+  const gmds_id inside = in->stamp + 1, *marks = in->marks;
   const tetrahedron *cavity = in->cavity;
   const size_t n_cavity = in->n_cavity;
   gmds_id *sides = in->sides;
@@ -144,8 +151,20 @@ GMDS_APART void find_sides(insertion *in, gmds_id v)
   in->n_walls = n;
 }
 
+/* Where in in->local the number of a node is: each thread has an entry of its own for the ghost. */
+static inline size_t number_at(const insertion *in, gmds_id v, int sharing)
+{
+#if GMDS_CONCURRENT_STARS
+  if (sharing == GMDS__SHARED && v == in->ghost)
+    return in->ghost_at;
+#endif
+  (void)in;
+  (void)sharing;
+  return v;
+}
+
 /* The walls on these faces, turned inwards, their nodes numbered. */
-GMDS_APART void find_walls(insertion *in)
+GMDS_SPECIALISED void find_walls(insertion *in, int sharing)
 {
   const gmds_id base = in->base, *sides = in->sides;
   const tetrahedron *cavity = in->cavity;
@@ -163,31 +182,55 @@ GMDS_APART void find_walls(insertion *in)
     w->node[2] = z;
     w->out = region_beyond(t, k);
     w->out_side = face_beyond(t, k);
-    w->local[0] = number_of(local, x, base, &count);
-    w->local[1] = number_of(local, y, base, &count);
-    w->local[2] = number_of(local, z, base, &count);
+    w->local[0] = number_of(local, number_at(in, x, sharing), base, &count);
+    w->local[1] = number_of(local, number_at(in, y, sharing), base, &count);
+    w->local[2] = number_of(local, number_at(in, z, sharing), base, &count);
   }
   in->base = base + count;
-  if (in->base > GMDS_NONE / 2) { /* numbers are used up */
-    memset(in->local, 0, (count_0(in->m)) * sizeof *in->local);
-    in->base = 1;
-  }
 }
 
-static inline gmds_status insert_point(insertion *in, gmds_id v)
+/* Begins numbers anew when they are used up. */
+static inline void renew_numbers(insertion *in)
 {
-  candidate root;
-  GMDS_TRY(locate(in, point(in->m, v), &root));
-  GMDS_TRY(grow_cavity(in, &root, v));
-  find_sides(in, v);
-  find_walls(in);
-  GMDS_TRY(star(in->m, v, in->n_cavity, in->n_walls, in->walls, in->ids));
-  if (end_3(in->m) > in->marked)
-    GMDS_TRY(reserve_marks(in, end_3(in->m)));
-  const gmds_cavity_wall *w = in->walls; /* a cavity has a wall without the ghost */
+  if (in->base <= GMDS_NONE / 2)
+    return;
+  memset(in->local, 0, in->numbered * sizeof *in->local);
+  in->base = 1;
+}
+
+/* The next walk begins at a finite tetrahedron of the star: a cavity has a wall without the ghost. */
+static inline void remember_star(insertion *in, gmds_id v)
+{
+  const gmds_cavity_wall *w = in->walls;
   while (w->node[0] == in->ghost || w->node[1] == in->ghost || w->node[2] == in->ghost)
     w++;
   const gmds_id node[4] = {w->node[0], w->node[1], w->node[2], v};
   in->last = candidate_of(in->ids[w - in->walls], node);
+}
+
+/* Functions of their own: their loops lack registers where they stand in their caller. */
+GMDS_APART gmds_status grow_alone(insertion *in, const candidate *root, const double p[3])
+{
+  return grow_cavity(in, root, p, GMDS__ALONE);
+}
+
+GMDS_APART void find_walls_alone(insertion *in)
+{
+  find_walls(in, GMDS__ALONE);
+}
+
+static inline gmds_status insert_alone(insertion *in, gmds_id v)
+{
+  candidate root;
+  const double *p = point(in->m, v);
+  GMDS_TRY(locate(in, p, &root));
+  GMDS_TRY(grow_alone(in, &root, p));
+  find_sides(in);
+  find_walls_alone(in);
+  renew_numbers(in);
+  GMDS_TRY(star(in->m, v, in->n_cavity, in->n_walls, in->walls, in->ids));
+  if (end_3(in->m) > in->marked)
+    GMDS_TRY(reserve_marks(in, end_3(in->m)));
+  remember_star(in, v);
   return GMDS_OK;
 }

@@ -22,9 +22,11 @@ typedef struct insertion {
   gmds_id ghost;
   candidate last; /* a finite tetrahedron near the last point */
   size_t steps;   /* of all walks */
-  gmds_id *marks; /* of each region: 2 v + 1 in the cavity of node v, 2 v tested and outside, else less */
+  gmds_id *marks; /* of each region: stamp + 1 in the cavity at work, stamp tested and outside, else less */
   size_t marked;  /* how many there are */
+  gmds_id stamp;  /* even, of each cavity its own */
   gmds_id *local; /* of each node: base + its number within the boundary at work, else less */
+  size_t numbered;
   gmds_id base;
   size_t capacity; /* the lists hold cavities of so many tetrahedra */
   tetrahedron *cavity;
@@ -34,7 +36,22 @@ typedef struct insertion {
   gmds_cavity_wall *walls; /* 4 capacity */
   size_t n_cavity, n_walls;
   gmds_ids near, nodes; /* answers of queries */
+#if GMDS_CONCURRENT_STARS
+  gmds_id fresh, fresh_end; /* regions taken in advance */
+  gmds_id spare;            /* the first of those that nothing uses any more; its mark is the next */
+  size_t n_spare;
+  size_t ghost_at;          /* where this thread keeps the number of the ghost in `local` */
+  int axis;                 /* the nodes of this thread have their coordinate number `axis` from low to below high */
+  double low, high;
+  int deferred;    /* the point in hand cannot be inserted by this thread alone */
+  char apart[128]; /* what one thread writes shares no cache line with what another does */
+#endif
 } insertion;
+
+#include <gmds/algorithms/delaunay/sharing.h>
+
+/* How far apart the numbers of the ghost are that several threads have: on cache lines of their own. */
+#define GMDS__OF_GHOST 16
 
 /* The nodes of each face, counter-clockwise from outside, and the one opposite. */
 static const unsigned char face_nodes[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
