@@ -4,7 +4,7 @@
  *   GMDS__SIMPLICIAL  1 when all faces are triangles   GMDS__SIDES   sides of a face, 0 where faces differ
  *                     (and all regions tetrahedra)     GMDS__CORNERS, GMDS__RIMS, GMDS__WALLS  nodes, edges, faces of a
  *                                                                    region, 0 where regions differ
- * and refuses masks that contradict themselves. */
+ * and refuses masks that contradict themselves, in one sentence. */
 #include <gmds/models/letters_on.h>
 
 #if (GMDS_MODEL + 0) == 0
@@ -31,7 +31,7 @@ enum { GMDS_FN(model) = (GMDS_MODEL) };
 #else
 #  define GMDS__K_2 0
 #endif
-#if (GMDS_MODEL) & R
+#if (GMDS_MODEL) & (R | N2R | E2R | F2R | R2N | R2E | R2F | R2R)
 #  define GMDS__K_3 1
 #else
 #  define GMDS__K_3 0
@@ -116,10 +116,7 @@ enum { GMDS_FN(model) = (GMDS_MODEL) };
 #else
 #  define GMDS__S_3_3 0
 #endif
-#if (GMDS_MODEL) & DIM2 && (GMDS_MODEL)&DIM3
-#  error "gmds: GMDS_MODEL has both DIM2 and DIM3: a node has two coordinates or three"
-#  define GMDS__DIM 2
-#elif (GMDS_MODEL) & (DIM3 | R) && !((GMDS_MODEL)&DIM2)
+#if GMDS__K_3 || ((GMDS_MODEL)&DIM3 && !((GMDS_MODEL)&DIM2))
 #  define GMDS__DIM 3
 #else
 #  define GMDS__DIM 2
@@ -132,8 +129,9 @@ enum { GMDS_FN(model) = (GMDS_MODEL) };
 #  if (GMDS_REGIONS) <= 0 || (GMDS_REGIONS) > 31
 #    error \
         "gmds: GMDS_REGIONS must be TETRAHEDRON, PYRAMID, PRISM, HEXAHEDRON, POLYHEDRON, or several with | between them"
+#    define GMDS__REFUSED 1
 #    undef GMDS_REGIONS
-#    define GMDS_REGIONS TETRAHEDRON /* so that nothing more is said */
+#    define GMDS_REGIONS TETRAHEDRON
 #  endif
 enum { GMDS_FN(regions) = (GMDS_REGIONS) };
 #  if (GMDS_REGIONS) == TETRAHEDRON
@@ -183,9 +181,11 @@ enum { GMDS_FN(regions) = (GMDS_REGIONS) };
 #      define GMDS_FACES (TRIANGLE | QUADRILATERAL)
 #    endif
 #  endif
-#  if GMDS__K_2 && (((GMDS_REGIONS) != HEXAHEDRON && (GMDS_REGIONS) != POLYHEDRON && !((GMDS_FACES)&TRIANGLE)) || \
-                    ((GMDS_REGIONS)&14 && !((GMDS_FACES)&QUADRILATERAL)))
+#  if GMDS__K_2 && (GMDS_FACES) > 0 && (GMDS_FACES) < 8 &&                                           \
+      (((GMDS_REGIONS) != HEXAHEDRON && (GMDS_REGIONS) != POLYHEDRON && !((GMDS_FACES)&TRIANGLE)) || \
+       ((GMDS_REGIONS)&14 && !((GMDS_FACES)&QUADRILATERAL)))
 #    error "gmds: GMDS_FACES leaves out a type of face that the regions of the model have"
+#    define GMDS__REFUSED 1
 #  endif
 #else
 #  define GMDS__TETRAHEDRA 0
@@ -232,35 +232,41 @@ enum { GMDS_FN(faces) = (GMDS_FACES) };
 #  define GMDS__POLYGONS 0
 #endif
 
-#if (GMDS_MODEL) >> 22
+/* One sentence, and then the model is taken for one that has everything, so that nothing more is said. */
+#ifdef GMDS__REFUSED
+#elif (GMDS_MODEL) >> 22
 #  error "gmds: GMDS_MODEL holds something that is neither a cell, a relation, DIM2 nor DIM3"
-#endif
-#include <gmds/models/letters_off.h>
-
-#if !GMDS__K_0 || !(GMDS__K_2 || GMDS__K_3)
+#  define GMDS__REFUSED 1
+#elif (GMDS_MODEL) & DIM2 && (GMDS_MODEL)&DIM3
+#  error "gmds: GMDS_MODEL has both DIM2 and DIM3: a node has two coordinates or three"
+#  define GMDS__REFUSED 1
+#elif GMDS__K_3 && !((GMDS_MODEL)&R)
+#  error "gmds: GMDS_MODEL stores a relation of regions but keeps none: add R"
+#  define GMDS__REFUSED 1
+#elif GMDS__K_3 && (GMDS_MODEL)&DIM2
+#  error "gmds: a model of volumes has nodes of three coordinates: take DIM2 out of GMDS_MODEL"
+#  define GMDS__REFUSED 1
+#elif !GMDS__K_0 || !(GMDS__K_2 || GMDS__K_3)
 #  error "gmds: a model keeps nodes and faces, or nodes and regions: add N|F or N|R to GMDS_MODEL"
-#endif
-#if !GMDS__K_1 && \
+#  define GMDS__REFUSED 1
+#elif !GMDS__K_1 && \
     (GMDS__S_0_1 || GMDS__S_1_0 || GMDS__S_1_1 || GMDS__S_1_2 || GMDS__S_1_3 || GMDS__S_2_1 || GMDS__S_3_1)
 #  error "gmds: GMDS_MODEL stores a relation of edges but keeps none: add E"
-#endif
-#if !GMDS__K_2 && \
+#  define GMDS__REFUSED 1
+#elif !GMDS__K_2 && \
     (GMDS__S_0_2 || GMDS__S_1_2 || GMDS__S_2_0 || GMDS__S_2_1 || GMDS__S_2_2 || GMDS__S_2_3 || GMDS__S_3_2)
 #  error "gmds: GMDS_MODEL stores a relation of faces but keeps none: add F"
-#endif
-#if !GMDS__K_3 && \
-    (GMDS__S_0_3 || GMDS__S_1_3 || GMDS__S_2_3 || GMDS__S_3_0 || GMDS__S_3_1 || GMDS__S_3_2 || GMDS__S_3_3)
-#  error "gmds: GMDS_MODEL stores a relation of regions but keeps none: add R"
-#endif
-#if GMDS__K_3 && GMDS__DIM == 2
-#  error "gmds: a model of volumes has nodes of three coordinates: take DIM2 out of GMDS_MODEL"
-#endif
-#if GMDS__POLYHEDRA && !(GMDS__S_3_2 && GMDS__S_2_0)
+#  define GMDS__REFUSED 1
+#elif GMDS__POLYHEDRA && !(GMDS__S_3_2 && GMDS__S_2_0)
 #  error "gmds: a polyhedron is known by its faces and their nodes: add R2F|F2N to GMDS_MODEL"
-#endif
-
-#if GMDS__S_1_1 && !GMDS__S_0_1 && !GMDS__S_1_0
+#  define GMDS__REFUSED 1
+#elif GMDS__S_1_1 && !GMDS__S_0_1 && !GMDS__S_1_0
 #  error "gmds: E2E can be kept true only where edges and nodes are linked: add E2N or N2E to GMDS_MODEL"
+#  define GMDS__REFUSED 1
+#endif
+#include <gmds/models/letters_off.h>
+#ifdef GMDS__REFUSED
+#  include <gmds/models/mask_refused.h>
 #endif
 
 #define GMDS__MASK                                                                                                \

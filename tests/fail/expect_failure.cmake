@@ -1,6 +1,6 @@
 # cmake -DCOMPILERS=... -DINCLUDES=... -DOBJECT=... -DSOURCE=... -P expect_failure.cmake
 # Compiles SOURCE by each compiler; the first error must hold the sentence of its `// expect:` line. A `// flags:` line
-# adds flags.
+# adds flags. A model that is refused is refused in one sentence, whatever the file does with it.
 cmake_minimum_required(VERSION 3.25)
 file(STRINGS ${SOURCE} expect REGEX "^// expect: ")
 file(STRINGS ${SOURCE} flags REGEX "^// flags: ")
@@ -24,5 +24,10 @@ foreach(compiler ${COMPILERS})
   string(FIND "${first}" "${expect}" at)
   if(at EQUAL -1)
     message(SEND_ERROR "the first error of ${compiler} does not say: ${expect}\n${said}")
+  endif()
+  string(REGEX MATCHALL "error:" errors "${said}")
+  list(LENGTH errors n)
+  if(n GREATER 1 AND SOURCE MATCHES "/(model|regions|faces)_[^/]*$")
+    message(SEND_ERROR "${compiler} says more than one sentence:\n${said}")
   endif()
 endforeach()

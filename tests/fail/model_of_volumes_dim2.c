@@ -3,3 +3,4 @@
 #define GMDS_MODEL (DIM2 | N | R | R2N)
 #include <gmds/mesh.h>
 #include <gmds/end.h>
+#include "use_volume.h"

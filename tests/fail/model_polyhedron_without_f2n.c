@@ -4,3 +4,4 @@
 #define GMDS_REGIONS POLYHEDRON
 #include <gmds/mesh.h>
 #include <gmds/end.h>
+#include "use_volume.h"

@@ -3,3 +3,4 @@
 #define GMDS_MODEL (N | R | R2N | R2F)
 #include <gmds/mesh.h>
 #include <gmds/end.h>
+#include "use_volume.h"

@@ -3,3 +3,4 @@
 #define GMDS_MODEL (N | F | F2N | N2R)
 #include <gmds/mesh.h>
 #include <gmds/end.h>
+#include "use_volume.h"

@@ -4,3 +4,4 @@
 #define GMDS_REGIONS (TETRAHEDRON | 32)
 #include <gmds/mesh.h>
 #include <gmds/end.h>
+#include "use_volume.h"

@@ -5,3 +5,4 @@
 #define GMDS_FACES QUADRILATERAL
 #include <gmds/mesh.h>
 #include <gmds/end.h>
+#include "use_volume.h"
