@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Delaunay triangulation: the generic text in N|F|F2N|F2F (in space N|R|R2N|R2R), the same algorithm written by hand, in
-the plane two threads, and CGAL, in turn, each a process of its own, on the same points. Prints one JSON object a point
+"""Delaunay triangulation: the generic text in N|F|F2N|F2F (in space N|R|R2N|R2R), the same algorithm written by hand,
+two threads, and CGAL, in turn, each a process of its own, on the same points. Prints one JSON object a point
 set; asserts nothing but that all give the same cells.
 
     bench/delaunay.py [--dim 2|3] [--build DIR] [--peers DIR] [--runs N] SPEC ...
@@ -43,9 +43,8 @@ def measure(spec, options, folder):
     sides = {
         "generic": [gmds, "delaunay", points, "--dim", dim, "--json"],
         "handwritten": [os.path.join(options.build, "bin", handwritten), points],
+        "two_threads": [gmds, "delaunay", points, "--dim", dim, "--json", "--threads", "2"],
     }
-    if options.dim == 2:
-        sides["two_threads"] = [gmds, "delaunay", points, "--json", "--threads", "2"]
     if options.peers:
         sides["cgal"] = [os.path.join(options.peers, "cgal_delaunay"), dim, points]
     reports = alternate(sides, options.runs)
@@ -63,9 +62,8 @@ def measure(spec, options, folder):
         "peak_bytes_per_point": one["peak_bytes"] / max(one["points"], 1),
         "seconds": {name: summary([r["seconds"] for r in side]) for name, side in reports.items()},
         "generic_over_handwritten": ratios(reports, "generic", "handwritten"),
+        "one_thread_over_two": ratios(reports, "generic", "two_threads"),
     }
-    if "two_threads" in reports:
-        result["one_thread_over_two"] = ratios(reports, "generic", "two_threads")
     if options.peers:
         result["cgal_over_generic"] = ratios(reports, "cgal", "generic")
         result["cgal_over_handwritten"] = ratios(reports, "cgal", "handwritten")

@@ -206,9 +206,9 @@ static inline gmds_status checksum(const mesh *m, gmds_memory *memory, uint64_t 
  * cavity and comes with the star. ids, which has room for both, receives the tetrahedron on each wall; identifiers are
  * used again. That cavity and walls are what they are said to be is not checked. GMDS_OK; GMDS_ERR_MEMORY,
  * GMDS_ERR_TOO_MANY: where all regions are tetrahedra, R2N is stored and neither edges nor faces are kept, nothing has
- * changed; in other models the mesh is valid, but the cavity may be gone. In the former the cost is that of the rows of
- * the nodes and nothing is looked up in the mesh; in others it is that of add_tetrahedron for each. In models that hold
- * tetrahedra (GMDS_STARS). */
+ * changed; in other models the mesh is valid, but the cavity may be gone and a part of the star be there. In the former
+ * the cost is that of the rows of the nodes and nothing is looked up in the mesh; in others it is that of
+ * add_tetrahedron for each. In models that hold tetrahedra (GMDS_STARS). */
 #if GMDS_STARS
 static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, size_t n_walls, const gmds_cavity_wall *walls,
                                gmds_id *ids);

@@ -61,6 +61,7 @@
 #undef drop_face
 #undef drop_planned
 #undef drop_region
+#undef drop_regions
 #undef edges_of_plan
 #undef edges_touch
 #undef empty
@@ -234,13 +235,12 @@
 #undef share_wall
 #undef star
 #undef star_of
-#undef take_regions
-#undef drop_regions
 #undef start_with
 #undef step
 #undef surroundings
 #undef take_cells
 #undef take_planned
+#undef take_regions
 #undef tetrahedron_nodes
 #undef to_complex
 #undef to_soup

@@ -216,6 +216,14 @@ static gmds_status GMDS_FN(do_delaunay)(void *m, size_t n, const double *xyz, co
 }
 #endif
 
+#if GMDS_STARS
+static gmds_status GMDS_FN(do_star)(void *m, gmds_id apex, size_t n_regions, size_t n_walls,
+                                    const gmds_cavity_wall *walls, gmds_id *ids)
+{
+  return star(m, apex, n_regions, n_walls, walls, ids);
+}
+#endif
+
 #if GMDS_CAN(3, 0)
 static gmds_status GMDS_FN(do_checksum)(const void *m, gmds_memory *memory, uint64_t *sum)
 {
@@ -284,6 +292,10 @@ const volume_model GMDS_FN(table) = {
 #endif
 #if TEST_DELAUNAY
     .do_delaunay = GMDS_FN(do_delaunay),
+#endif
+#if GMDS_STARS
+    .do_star = GMDS_FN(do_star),
+    .stars_or_nothing = GMDS__STARS_OF_REGIONS,
 #endif
 #if GMDS_CAN(3, 0)
     .do_checksum = GMDS_FN(do_checksum),

@@ -379,7 +379,76 @@ START_TEST(a_triangulation_without_memory_leaves_the_mesh_empty)
 }
 END_TEST
 
+/* ---- the cavity operator */
+
+/* A tetrahedron, region 0, one more on each of its faces, and a node in it; attributes of all, and no room left. */
+static void make_cavity(subject *s, const volume_model *m, gmds_cavity_wall walls[4])
+{
+  static const double xyz[9][3] = {{0, 0, 0},  {4, 0, 0},  {0, 4, 0},  {0, 0, 4}, {3, 3, 3},
+                                   {1, 1, -2}, {-2, 1, 1}, {1, -2, 1}, {1, 1, 1}};
+  static const gmds_id first[4] = {0, 1, 2, 3}, faces[4][3] = {{1, 2, 3}, {0, 2, 1}, {0, 3, 2}, {0, 1, 3}};
+  gmds_id id = 0;
+  subject_begin(s, m, 1);
+  give_attributes(s);
+  for (int i = 0; i < 9; i++)
+    ck_assert_int_eq(m->do_add_node(s->mesh, xyz[i], &id), GMDS_OK);
+  ck_assert_int_eq(m->do_add_region(s->mesh, GMDS_TETRAHEDRON, first, &id), GMDS_OK);
+  for (gmds_id k = 0; k < 4; k++) {
+    const gmds_id *f = faces[k], outer[4] = {f[0], f[1], f[2], 4 + k};
+    ck_assert_int_eq(m->do_add_region(s->mesh, GMDS_TETRAHEDRON, outer, &id), GMDS_OK);
+    walls[k] = (gmds_cavity_wall){{f[0], f[2], f[1]}, id, 3, {f[0], f[2], f[1]}}; /* face 3 is that of nodes 0, 1, 2 */
+  }
+  subject_trim(s);
+}
+
+START_TEST(a_star_without_memory_changes_nothing_or_leaves_a_valid_mesh)
+{
+  size_t kept = 0, lost = 0;
+  uint64_t first = 0;
+  for (size_t k = 0; k < n_volume_models; k++) {
+    const volume_model *m = volume_models[k];
+    gmds_status status = m->do_star ? GMDS_ERR_MEMORY : GMDS_OK;
+    for (long n = 0; status == GMDS_ERR_MEMORY; n++) {
+      gmds_cavity_wall walls[4];
+      gmds_id ids[5] = {0};
+      gmds_error error = {.status = GMDS_OK};
+      uint64_t sum = 0;
+      make_cavity(&one, m, walls);
+      const gmds_cells *cells = m->do_cells(one.mesh);
+      const uint64_t before = subject_fingerprint(&one);
+      one.from.until = n;
+      status = m->do_star(one.mesh, 8, 1, 4, walls, ids);
+      one.from.until = LONG_MAX;
+      ck_assert(status == GMDS_OK || status == GMDS_ERR_MEMORY);
+      const int same = subject_fingerprint(&one) == before;
+      if (status != GMDS_OK && m->stars_or_nothing && !same)
+        subject_fail(&one, "a star that fails at allocation %ld changes the mesh", n);
+      kept += status != GMDS_OK && same;
+      lost += status != GMDS_OK && !same;
+      if (m->do_check(one.mesh, &one.memory, &error) != GMDS_OK)
+        subject_fail(&one, "a star that ends at allocation %ld: %s", n, error.text);
+      ck_assert_uint_eq(m->do_memory(one.mesh)->live, one.from.live);
+      ck_assert_uint_eq(cells[0].count, 9);
+      for (gmds_id r = 1; r < 5; r++)
+        ck_assert(gmds_cells_has(&cells[3], r));
+      if (status == GMDS_OK) {
+        ck_assert_uint_eq(cells[3].count, 8);
+        if (m->do_checksum)
+          ck_assert_int_eq(m->do_checksum(one.mesh, &one.memory, &sum), GMDS_OK);
+        first = first ? first : sum;
+        ck_assert(!m->do_checksum || sum == first);
+      }
+      subject_end(&one);
+    }
+    ck_assert_int_eq(status, GMDS_OK);
+  }
+  printf("%zu stars that failed changed nothing, %zu left a part\n", kept, lost);
+  ck_assert_uint_gt(kept, 50);
+}
+END_TEST
+
 RUN_SUITE("failures of volumes", an_operation_without_memory_changes_nothing,
           a_query_without_memory_fails_and_the_next_is_right, a_check_and_a_checksum_without_memory_say_so,
           a_conversion_without_memory_leaves_the_mesh_empty, a_soup_without_memory_leaves_both_sides_as_they_were,
-          a_triangulation_without_memory_leaves_the_mesh_empty)
+          a_triangulation_without_memory_leaves_the_mesh_empty,
+          a_star_without_memory_changes_nothing_or_leaves_a_valid_mesh)

@@ -58,6 +58,9 @@ typedef struct volume_model {
   gmds_status (*do_from_soup)(void *m, const gmds_soup *soup, gmds_error *error);
   gmds_status (*do_delaunay)(void *m, size_t n, const double *xyz, const gmds_delaunay_options *options,
                              gmds_delaunay_result *result); /* NULL where there are more than tetrahedra, or no star */
+  gmds_status (*do_star)(void *m, gmds_id apex, size_t n_regions, size_t n_walls, const gmds_cavity_wall *walls,
+                         gmds_id *ids); /* NULL where there is none */
+  int stars_or_nothing;                 /* a star that fails changes nothing */
   gmds_status (*do_checksum)(const void *m, gmds_memory *memory, uint64_t *sum);
 } volume_model;
 
