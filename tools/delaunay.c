@@ -42,7 +42,8 @@ static int run(const verb *v, int argc, char **argv)
       {"dim", 0, &dim, NULL, "2|3  dimension (default 2)"},
       {"model", 0, &model, NULL,
        "MASK  mesh model (default N|F|F2N|F2F, in space N|R|R2N|R2R); in the plane MASK +X2Y borrows a relation"},
-      {"threads", 0, &threads, NULL, "T  threads at most (default 1; more where the model allows: N|F|F2N|F2F, N|R|R2N|R2R)"},
+      {"threads", 0, &threads, NULL,
+       "T  threads at most (default 1; more where the model allows: the defaults of --model)"},
       {"json", 0, NULL, &json, "print one JSON object"}};
   int code = read_arguments(v, argc, argv, options, 5, &input, 1, 1);
   if (code >= 0)

@@ -233,7 +233,8 @@ static inline gmds_status insert_by_threads(unsigned threads, insertion *in, gmd
   void *waiting = NULL, *dealt = NULL, *count = NULL, *block = NULL;
   gmds_status status = GMDS_ERR_MEMORY;
   if (gmds_resize(memory, &block, 0, 1, sizeof(concurrent)) &&
-      gmds_resize(memory, &waiting, 0, room, sizeof(gmds_id)) && gmds_resize(memory, &dealt, 0, room, sizeof(gmds_id)) &&
+      gmds_resize(memory, &waiting, 0, room, sizeof(gmds_id)) &&
+      gmds_resize(memory, &dealt, 0, room, sizeof(gmds_id)) &&
       gmds_resize(memory, &count, 0, threads, GMDS_MAX_THREADS * sizeof(size_t))) {
     concurrent *c = block;
     memset(c, 0, sizeof *c);

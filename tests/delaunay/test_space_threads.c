@@ -71,6 +71,76 @@ START_TEST(any_number_of_threads_gives_the_tetrahedra_of_one)
 }
 END_TEST
 
+/* CGAL's (tests/oracle/expected3.txt). */
+START_TEST(any_number_of_threads_gives_the_tetrahedra_of_the_oracle)
+{
+  const char *const specs[] = {"random:50000:3", "grid:30"};
+  const uint64_t sums[] = {0xe71ae898895be8ec, 0xeea5f8cbc1b0c6de};
+  const int threads[] = {1, 2, 3, 4, 8};
+  for (size_t i = 0; i < sizeof specs / sizeof *specs; i++) {
+    gmds_memory memory;
+    gmds_soup soup = points_of(specs[i], &memory);
+    for (size_t k = 0; k < sizeof threads / sizeof *threads; k++)
+      ck_assert_msg(sum_with(&soup, threads[k], NULL) == sums[i], "%s, %d threads", specs[i], threads[k]);
+    gmds_soup_clear(&soup);
+  }
+}
+END_TEST
+
+/* What spans no volume, and too few points for more than one thread: all is as with one. */
+START_TEST(flat_and_few_points_do_not_ask_for_threads)
+{
+  const char *const specs[] = {"random:9000:3", "grid:21"};
+  for (size_t i = 0; i < sizeof specs / sizeof *specs; i++)
+    for (int dimension = 0; dimension < 3; dimension++) {
+      gmds_memory memory;
+      gmds_soup soup = points_of(specs[i], &memory);
+      for (size_t k = 0; k < soup.n_points; k++)
+        for (int x = dimension; x < 3; x++)
+          soup.points[3 * k + (size_t)x] = dimension == 2 ? soup.points[3 * k] : 3;
+      gmds_delaunay_result one = {.dimension = 7};
+      for (int threads = 1; threads <= 8; threads++) {
+        tet_mesh m;
+        gmds_delaunay_result result = {.dimension = 7};
+        const gmds_delaunay_options options = {.threads = threads};
+        tet_mesh_init(&m, NULL);
+        ck_assert_int_eq(tet_delaunay(&m, soup.n_points, soup.points, &options, threads == 1 ? &one : &result),
+                         GMDS_OK);
+        ck_assert_uint_eq(tet_count_3(&m), 0);
+        ck_assert_uint_eq(tet_count_0(&m), one.distinct);
+        ck_assert_int_eq(one.dimension, dimension);
+        ck_assert(threads == 1 || (result.dimension == dimension && result.n_triangles == one.n_triangles &&
+                                   memcmp(result.node_of, one.node_of, soup.n_points * sizeof *one.node_of) == 0));
+        for (size_t k = 0; threads > 1 && k < 3 * one.n_triangles; k++)
+          ck_assert_uint_eq(result.triangles[k], one.triangles[k]);
+        for (size_t k = 0; threads > 1 && dimension == 1 && k < one.distinct; k++)
+          ck_assert_uint_eq(result.chain[k], one.chain[k]);
+        gmds_delaunay_result_clear(&result);
+        tet_mesh_clear(&m);
+      }
+      gmds_delaunay_result_clear(&one);
+      gmds_soup_clear(&soup);
+    }
+  for (size_t n = 0; n < 12; n++) {
+    gmds_memory memory;
+    gmds_soup soup = points_of("random:12:1", &memory);
+    for (int threads = 1; threads <= 8; threads++) {
+      tet_mesh m;
+      gmds_delaunay_result result = {.dimension = 7};
+      const gmds_delaunay_options options = {.threads = threads};
+      tet_mesh_init(&m, NULL);
+      ck_assert_int_eq(tet_delaunay(&m, n, soup.points, &options, &result), GMDS_OK);
+      ck_assert_int_eq(result.dimension, n < 4 ? (int)n - 1 : 3);
+      ck_assert_uint_eq(tet_count_0(&m), n);
+      ck_assert((n < 4) == (tet_count_3(&m) == 0));
+      gmds_delaunay_result_clear(&result);
+      tet_mesh_clear(&m);
+    }
+    gmds_soup_clear(&soup);
+  }
+}
+END_TEST
+
 /* What is hard for slabs, or for the room that threads take in advance. */
 static void distort(int kind, size_t n, size_t i, double *p, const double *first)
 {
@@ -280,6 +350,7 @@ START_TEST(regions_that_were_taken_can_be_given_back)
 END_TEST
 
 RUN_SUITE("threads in space", any_number_of_threads_gives_the_tetrahedra_of_one,
+          any_number_of_threads_gives_the_tetrahedra_of_the_oracle, flat_and_few_points_do_not_ask_for_threads,
           points_that_slabs_do_not_divide_are_inserted_too, the_numbering_depends_on_the_number_of_threads_alone,
           points_that_are_put_off_do_not_make_the_walks_longer, cancelling_at_any_call_leaves_the_mesh_empty,
           progress_is_told_to_the_end, every_failing_allocation_leaves_the_mesh_empty,

@@ -40,8 +40,8 @@ typedef struct insertion {
   gmds_id fresh, fresh_end; /* regions taken in advance */
   gmds_id spare;            /* the first of those that nothing uses any more; its mark is the next */
   size_t n_spare;
-  size_t ghost_at;          /* where this thread keeps the number of the ghost in `local` */
-  int axis;                 /* the nodes of this thread have their coordinate number `axis` from low to below high */
+  size_t ghost_at; /* where this thread keeps the number of the ghost in `local` */
+  int axis;        /* the nodes of this thread have their coordinate number `axis` from low to below high */
   double low, high;
   int deferred;    /* the point in hand cannot be inserted by this thread alone */
   char apart[128]; /* what one thread writes shares no cache line with what another does */
