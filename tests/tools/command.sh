@@ -72,6 +72,8 @@ for key in points duplicates dimension cells seconds bytes peak_bytes checksum; 
 # in space
 run 0 delaunay grid:5 --dim 3 --json && prints '"checksum":"cadefdadc5a6697d"' && prints '"dimension":3'
 run 0 delaunay random:200:1 --dim 3 --model F1 -o space.vtu --json && prints '"cells":1135' && prints '"checksum":"1177d45ff9316f8c"'
+run 0 delaunay random:50000:3 --dim 3 --threads 2 --json && prints '"checksum":"e71ae898895be8ec"'
+run 0 delaunay random:5000:7 --dim 3 --model R2 --threads 8 --json && prints '"checksum":"9f2ef49cc3256c3b"' # takes one
 run 0 info space.vtu && prints tetrahedron
 run 0 delaunay random:200:1 --dim 3 --model 'N|R|R2N|R2R' -o space.msh
 run 0 delaunay circle:300 --dim 3 --json && prints '"dimension":2' && prints '"checksum":"3041764ae6bc7903"'
