@@ -1,16 +1,17 @@
 /* The boundary of a mesh: of a surface the sides that one face is on, joined to loops; of a volume the faces that one
- * region is on (boundary/space.h). One text for every model of surfaces that answers 2 -> 0 in order (or holds triangles
- * only) and 2 -> 2. Both are asked for once for all faces, or read in place where they are stored.
+ * region is on (boundary/space.h). One text for every model of surfaces that answers 2 -> 0 in order (or holds
+ * triangles only) and 2 -> 2. Both are asked for once for all faces, or read in place where they are stored.
  *
  *   <prefix>_boundary(m, chains, open)
  *     m       any mesh
- *     chains  initialised and empty, its memory is the caller's: receives one row a chain, its nodes in order. A loop goes
- *             the way of the faces on it where these turn alike and keep an order; it ends before the node that it began at.
- *             Where loops touch in a node they may come as one
- *     open    receives how many chains are open; they come first. Sides of more than two faces can leave such: a boundary
- *             without them is all loops
- *   GMDS_OK or GMDS_ERR_MEMORY (nothing has changed). Working space comes from the mesh's memory. O(mesh), times the square
- *   of the sides of a face where F2F is not stored; where many loops touch in one node also the square of their number. */
+ *     chains  initialised and empty, its memory is the caller's: receives one row a chain, its nodes in order. A loop
+ *             goes the way of the faces on it where these turn alike and keep an order; it ends before the node that it
+ *             began at. Where loops touch in a node they may come as one
+ *     open    receives how many chains are open; they come first. Sides of more than two faces can leave such: a
+ *             boundary without them is all loops
+ *   GMDS_OK or GMDS_ERR_MEMORY (nothing has changed). Working space comes from the mesh's memory. O(mesh), times the
+ *   square of the sides of a face where F2F is not stored; where many loops touch in one node also the square of their
+ *   number. */
 #ifndef GMDS__OPEN
 #  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/boundary.h>"
 #endif

@@ -1,11 +1,11 @@
-/* The connected components of a mesh: faces that share a side are in one, in models of volumes regions that share a face.
- * One text for every model that answers 2 -> 2, or 3 -> 3, which is asked for once for all cells, or read in place where
- * F2F is stored.
+/* The connected components of a mesh: faces that share a side are in one, in models of volumes regions that share a
+ * face. One text for every model that answers 2 -> 2, or 3 -> 3, which is asked for once for all cells, or read in
+ * place where F2F is stored.
  *
  *   <prefix>_components(m, component, count)
  *     m          any mesh
- *     component  end_2 entries (end_3): receives the number of the component of each face (region), counted from 0 in the
- *                order of the first of each; GMDS_NONE where none is alive
+ *     component  end_2 entries (end_3): receives the number of the component of each face (region), counted from 0 in
+ *                the order of the first of each; GMDS_NONE where none is alive
  *     count      receives how many components there are
  *   GMDS_OK or GMDS_ERR_MEMORY (nothing was written). Working space comes from the mesh's memory. O(mesh and
  *   answer), nearly: a forest in which the smaller cell is the parent, paths halved (Tarjan and van Leeuwen, 1984). */

@@ -1,10 +1,10 @@
-/* Delaunay triangulation of points of the plane by the algorithm of Bowyer and Watson ([models] 4.1): one text for every
- * model that answers 2 -> 0 and 2 -> 2 on triangles; for models that keep regions that of points in space
+/* Delaunay triangulation of points of the plane by the algorithm of Bowyer and Watson ([models] 4.1): one text for
+ * every model that answers 2 -> 0 and 2 -> 2 on triangles; for models that keep regions that of points in space
  * (delaunay/space.h).
  *
  * A node that stands for infinity (the ghost) makes the triangulation a closed surface, so that the hull is exact. The
- * points go in along a Hilbert curve in rounds (order.h). Each is located by a walk, the triangles whose circles hold it
- * are gathered depth first, which gives the boundary of the cavity in order, and the cavity operator of the model
+ * points go in along a Hilbert curve in rounds (order.h). Each is located by a walk, the triangles whose circles hold
+ * it are gathered depth first, which gives the boundary of the cavity in order, and the cavity operator of the model
  * replaces them. Predicates are exact and ties are broken as CGAL does (predicates.h): the set of triangles depends on
  * the points alone.
  *
@@ -15,11 +15,12 @@
  *     m        an empty mesh; its nodes are the distinct points in the order of insertion, its faces the triangles
  *     n, xy    n × 2 coordinates, row major; n × 3 of points of one plane where a node has three (DIM3)
  *     options  may be NULL
- *     result   may be NULL; cleared first. Points of lower dimension give no faces, but dimension and chain (delaunay.h)
- *   GMDS_OK; GMDS_ERR_ARGUMENT (the mesh is not empty); GMDS_ERR_COORDINATE (the error names the first point that is not
- *   finite; points in space are not of one plane); GMDS_ERR_TOO_MANY; GMDS_ERR_MEMORY; GMDS_ERR_CANCELLED; GMDS_ERR_PLATFORM. On failure the mesh is empty (one
- *   that was not is left as it was) and the result is empty. Expected O(n log n) where neighbours are local, else O(n)
- *   traversals of the mesh. */
+ *     result   may be NULL; cleared first. Points of lower dimension give no faces, but dimension and chain
+ *              (delaunay.h)
+ *   GMDS_OK; GMDS_ERR_ARGUMENT (the mesh is not empty); GMDS_ERR_COORDINATE (the error names the first point that is
+ *   not finite; points in space are not of one plane); GMDS_ERR_TOO_MANY; GMDS_ERR_MEMORY; GMDS_ERR_CANCELLED;
+ *   GMDS_ERR_PLATFORM. On failure the mesh is empty (one that was not is left as it was) and the result is empty.
+ *   Expected O(n log n) where neighbours are local, else O(n) traversals of the mesh. */
 #ifndef GMDS__OPEN
 #  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/delaunay.h>"
 #endif

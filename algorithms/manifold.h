@@ -1,16 +1,16 @@
-/* Whether a mesh is a manifold and how its cells are turned: one text for every model that can list the nodes of its cells
- * in order (of triangles without an order all but which way they turn). The report names how many of each kind there are and
- * the first (manifold.h): of surfaces sides with one face or more than two, neighbours that turn against each other, nodes
- * with more than one fan, whether they can be oriented; of volumes the same of faces, edges and nodes, regions that are
- * inverted or flat by the exact predicate, and the boundary as a surface.
+/* Whether a mesh is a manifold and how its cells are turned: one text for every model that can list the nodes of its
+ * cells in order (of triangles without an order all but which way they turn). The report names how many of each kind
+ * there are and the first (manifold.h): of surfaces sides with one face or more than two, neighbours that turn against
+ * each other, nodes with more than one fan, whether they can be oriented; of volumes the same of faces, edges and
+ * nodes, regions that are inverted or flat by the exact predicate, and the boundary as a surface.
  *
  *   <prefix>_manifold(m, report)
  *     m       any mesh
- *     report  receives a gmds_surface_report, in models that keep regions a gmds_volume_report. Where the order of regions is
- *             not kept they are taken to enclose a positive volume; what the report calls first does not depend on the
- *             model, but for the numbers of faces in regions of which no order is kept
- *   GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY; GMDS_ERR_INVARIANT (faces of a region do not make one of its type): nothing
- *   was written. Working space comes from the mesh's memory. O(mesh), nearly. */
+ *     report  receives a gmds_surface_report, in models that keep regions a gmds_volume_report. Where the order of
+ *             regions is not kept they are taken to enclose a positive volume; what the report calls first does not
+ *             depend on the model, but for the numbers of faces in regions of which no order is kept
+ *   GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY; GMDS_ERR_INVARIANT (faces of a region do not make one of its type):
+ *   nothing was written. Working space comes from the mesh's memory. O(mesh), nearly. */
 #ifndef GMDS__OPEN
 #  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/manifold.h>"
 #endif

@@ -1,4 +1,5 @@
-/* Points of one plane in space, for Delaunay triangulations of volumes: the text of the plane over a surface in space. */
+/* Points of one plane in space, for Delaunay triangulations of volumes: the text of the plane over a surface in
+ * space. */
 #include <gmds/delaunay.h>
 #include <string.h>
 

@@ -1,16 +1,18 @@
 /* The quality and the size of every cell: one text for every model that can list the nodes of its cells in order. The
- * measures, one for each type of cell, 1 the best and 0 or less for what is degenerate or inverted, are those of quality.h,
- * which cites them.
+ * measures, one for each type of cell, 1 the best and 0 or less for what is degenerate or inverted, are those of
+ * quality.h, which cites them.
  *
  *   <prefix>_quality(m, values, sizes, summary)
  *     m        any mesh
- *     values   end_2 entries (end_3 in models that keep regions), or NULL: receives the measure of each face (region), 0
- *              where none is alive
+ *     values   end_2 entries (end_3 in models that keep regions), or NULL: receives the measure of each face (region),
+ *              0 where none is alive
  *     sizes    as many, or NULL: receives area (volume). Areas in the plane and volumes are negative where cells are
- *              inverted; where the model does not keep the order that says so they are taken as positive, and so are polyhedra
- *     summary  may be NULL; receives the histogram, the least, the largest and the mean measure, and how many are inverted
- *   GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY; GMDS_ERR_INVARIANT (faces of a region do not make one of its type): nothing
- *   was written. Working space comes from the mesh's memory. O(mesh). */
+ *              inverted; where the model does not keep the order that says so they are taken as positive, and so are
+ *              polyhedra
+ *     summary  may be NULL; receives the histogram, the least, the largest and the mean measure, and how many are
+ *              inverted
+ *   GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY; GMDS_ERR_INVARIANT (faces of a region do not make one of its type):
+ *   nothing was written. Working space comes from the mesh's memory. O(mesh). */
 #ifndef GMDS__OPEN
 #  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/quality.h>"
 #endif

@@ -1,16 +1,17 @@
-/* Any relation of a whole mesh, whatever the model stores or keeps: the j-cells of every i-cell, for all nine or sixteen
- * pairs of dimensions. One text for every model that can list the nodes of its cells in order. Cells that the model keeps
- * have their identifiers; edges and faces that bound cells and are not kept get numbers of their own behind these.
+/* Any relation of a whole mesh, whatever the model stores or keeps: the j-cells of every i-cell, for all nine or
+ * sixteen pairs of dimensions. One text for every model that can list the nodes of its cells in order. Cells that the
+ * model keeps have their identifiers; edges and faces that bound cells and are not kept get numbers of their own behind
+ * these.
  *
  *   <prefix>_relation(m, i, j, cells, csr)
  *     m      any mesh
  *     i, j   from 0 to 2, to 3 in models that keep regions
- *     cells  a complex (complex.h), initialised: one that is empty receives all cells with their nodes, its memory is the
- *            caller's; one that was filled by a call before is asked, so that several relations of one mesh, which must not
- *            have changed, have numbers in common and are built from one listing
+ *     cells  a complex (complex.h), initialised: one that is empty receives all cells with their nodes, its memory is
+ *            the caller's; one that was filled by a call before is asked, so that several relations of one mesh, which
+ *            must not have changed, have numbers in common and are built from one listing
  *     csr    initialised and empty, its memory is the caller's: row c receives the j-cells of i-cell c, as
- *            gmds_complex_relation orders them; 0 -> 0 is being joined by an edge, 1 -> 1 sharing a node, 2 -> 2 a side,
- *            3 -> 3 a face
+ *            gmds_complex_relation orders them; 0 -> 0 is being joined by an edge, 1 -> 1 sharing a node, 2 -> 2 a
+ *            side, 3 -> 3 a face
  *   GMDS_OK; GMDS_ERR_ARGUMENT (no such dimension); GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY; GMDS_ERR_INVARIANT (faces of a
  *   region do not make one of its type): the csr stays empty, the complex too if it was. O(mesh and answer). */
 #ifndef GMDS__OPEN

@@ -4,12 +4,12 @@
  *
  *   <prefix>_renumber(m, maps, error)
  *     m      any mesh whose coordinates are finite. Afterwards it has no holes; attributes and orders have gone along
- *     maps   three arrays, four in models that keep regions, or NULL: maps[i], of end_i entries, or NULL, receives the new
- *            number of each i-cell, GMDS_NONE for holes
+ *     maps   three arrays, four in models that keep regions, or NULL: maps[i], of end_i entries, or NULL, receives the
+ *            new number of each i-cell, GMDS_NONE for holes
  *     error  may be NULL
- *   GMDS_OK; GMDS_ERR_COORDINATE; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY; GMDS_ERR_INVARIANT (faces of a region do not make one
- *   of its type): nothing has changed. Working space, more than that of a second mesh, comes from the mesh's allocator. O(mesh), the
- *   curve as in order.h. */
+ *   GMDS_OK; GMDS_ERR_COORDINATE; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY; GMDS_ERR_INVARIANT (faces of a region do not make
+ *   one of its type): nothing has changed. Working space, more than that of a second mesh, comes from the mesh's
+ *   allocator. O(mesh), the curve as in order.h. */
 #ifndef GMDS__OPEN
 #  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/renumber.h>"
 #endif

@@ -1,17 +1,18 @@
 /* Laplacian smoothing of a mesh of the plane, and of one of volumes (smoothing/space.h): one text for every model of
- * surfaces that answers 2 -> 0 in order (or holds triangles only) and 0 -> 2. Both are asked for once for all cells, or read in place where they are stored.
+ * surfaces that answers 2 -> 0 in order (or holds triangles only) and 0 -> 2. Both are asked for once for all cells, or
+ * read in place where they are stored.
  *
- * In each sweep the inner nodes, in the order of their identifiers, go to the mean of the nodes that they are joined with by
- * sides of faces, unless a corner of a face would turn the other way, or lie flat, that did not: turns are decided by the
- * exact predicate. A node is inner when two faces are on each of its sides; all others stay, boundary nodes among them.
- * Nodes, faces and relations stay as they are. The result does not depend on the model.
+ * In each sweep the inner nodes, in the order of their identifiers, go to the mean of the nodes that they are joined
+ * with by sides of faces, unless a corner of a face would turn the other way, or lie flat, that did not: turns are
+ * decided by the exact predicate. A node is inner when two faces are on each of its sides; all others stay, boundary
+ * nodes among them. Nodes, faces and relations stay as they are. The result does not depend on the model.
  *
  *   <prefix>_smooth(m, sweeps, moved)
  *     m       any mesh of the plane
  *     sweeps  how often to go over the nodes
  *     moved   may be NULL; receives how many nodes moved in the last sweep (0 for no sweep)
- *   GMDS_OK or GMDS_ERR_MEMORY (nothing has moved). Working space comes from the mesh's memory. O(mesh) a sweep, times the
- *   logarithm of the number of faces at a node. */
+ *   GMDS_OK or GMDS_ERR_MEMORY (nothing has moved). Working space comes from the mesh's memory. O(mesh) a sweep, times
+ *   the logarithm of the number of faces at a node. */
 #ifndef GMDS__OPEN
 #  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/smoothing.h>"
 #endif

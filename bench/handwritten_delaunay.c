@@ -1,6 +1,6 @@
-/* Bowyer-Watson written by hand for one data structure, triangles with their nodes and neighbours: what the generic text
- * (algorithms/delaunay.h) is compared with. The same algorithm, order and predicates, and the same memory; no model, no
- * query, no operation of a mesh: rows are read and written where they are needed.
+/* Bowyer-Watson written by hand for one data structure, triangles with their nodes and neighbours: what the generic
+ * text (algorithms/delaunay.h) is compared with. The same algorithm, order and predicates, and the same memory; no
+ * model, no query, no operation of a mesh: rows are read and written where they are needed.
  *
  *     handwritten_delaunay SPEC        points as `gmds delaunay` takes them; prints the same keys as its --json */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */

@@ -100,8 +100,8 @@ static double scaled(double edge[3][3])
               sqrt(dot(edge[0], edge[0])) * sqrt(dot(edge[1], edge[1])) * sqrt(dot(edge[2], edge[2])));
 }
 
-/* The mean ratio of a corner of a pyramid's base, its edges to the neighbours in the base and to the apex: 3 det^(2/3) /
- * the square of the Frobenius norm of the matrix that takes the ideal corner to this one. */
+/* The mean ratio of a corner of a pyramid's base, its edges to the neighbours in the base and to the apex: 3 det^(2/3)
+ * / the square of the Frobenius norm of the matrix that takes the ideal corner to this one. */
 static double base_corner(double edge[3][3])
 {
   double up[3], squares = dot(edge[0], edge[0]) + dot(edge[1], edge[1]);

@@ -7,7 +7,8 @@
 
 /* ---- numbers */
 
-/* Numbers the cells c of a map that are not GMDS_NONE in the order of their keys below n_keys, equal ones in their order. */
+/* Numbers the cells c of a map that are not GMDS_NONE in the order of their keys below n_keys, equal ones in their
+ * order. */
 static gmds_status number_by(gmds_memory *memory, const gmds_id *keys, size_t n_keys, size_t end, gmds_id *map)
 {
   void *block = NULL;

@@ -287,7 +287,8 @@ static size_t longest_row(const gmds_rows *rows, size_t first, size_t last, cons
   return longest;
 }
 
-/* Whether x, an entry of row `at` of first .. last, occurs in `times` of them, and in no row before that is listed too. */
+/* Whether x, an entry of row `at` of first .. last, occurs in `times` of them, and in no row before that is listed
+ * too. */
 static int meets(const gmds_rows *rows, size_t first, size_t last, const gmds_ids *list, size_t at, gmds_id x,
                  size_t times, size_t n_skipped, const size_t *skipped)
 {

@@ -2,8 +2,8 @@
 #include "sides.h"
 #include <string.h>
 
-/* A side in the bucket of its lower node. When the buckets are gone through, groups come out in order and are never more
- * than sides: their nodes are written over the sides that have been read. */
+/* A side in the bucket of its lower node. When the buckets are gone through, groups come out in order and are never
+ * more than sides: their nodes are written over the sides that have been read. */
 typedef struct side {
   gmds_id high;   /* its other node */
   gmds_id number; /* where its group is written */

@@ -1,5 +1,5 @@
-/* Sides of faces grouped by their two nodes, by counting: what tables of edges (edges.c) and conversions (derive.c) are made
- * of. Private to the library. */
+/* Sides of faces grouped by their two nodes, by counting: what tables of edges (edges.c) and conversions (derive.c) are
+ * made of. Private to the library. */
 #ifndef GMDS_CORE_SIDES_H
 #define GMDS_CORE_SIDES_H
 
@@ -19,9 +19,9 @@ typedef struct gmds_sides {
   size_t first_pair;           /* the number of the first pair; a side is numbered by where its first node lies */
 } gmds_sides;
 
-/* Writes to group[s] the group of each side and pair s, less than GMDS_NONE of them; groups are numbered in the order of
- * their lower nodes. *nodes receives the lower and the higher node of each of *n groups, in room for *capacity identifiers
- * from `memory`, which is the caller's. How: edges.h.
+/* Writes to group[s] the group of each side and pair s, less than GMDS_NONE of them; groups are numbered in the order
+ * of their lower nodes. *nodes receives the lower and the higher node of each of *n groups, in room for *capacity
+ * identifiers from `memory`, which is the caller's. How: edges.h.
  * GMDS_OK or GMDS_ERR_MEMORY (only `group` may have changed). */
 gmds_status gmds_group_sides(const gmds_sides *sides, gmds_memory *memory, gmds_id *group, size_t *n, gmds_id **nodes,
                              size_t *capacity);

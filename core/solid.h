@@ -1,5 +1,5 @@
-/* Vectors, the corners of regions and the volume within walls: what measures and guards of regions share. Private to the
- * library. */
+/* Vectors, the corners of regions and the volume within walls: what measures and guards of regions share. Private to
+ * the library. */
 #ifndef GMDS_CORE_SOLID_H
 #define GMDS_CORE_SOLID_H
 
@@ -32,8 +32,8 @@ static inline double triple(const double *a, const double *b, const double *c)
 }
 
 /* The corners of a region: a node and the three joined with it, which turn counter-clockwise seen from it towards the
- * inside when orient3d of the four is positive. A tetrahedron counts as one; the apex of a pyramid, where four edges meet,
- * is in those of its base. None of a polyhedron. */
+ * inside when orient3d of the four is positive. A tetrahedron counts as one; the apex of a pyramid, where four edges
+ * meet, is in those of its base. None of a polyhedron. */
 enum { SOLID_CORNERS = 8 };
 static inline size_t solid_corners(gmds_cell_type type, uint8_t corner[SOLID_CORNERS][4])
 {
@@ -66,8 +66,8 @@ static inline void wall_centre(const gmds_walls *walls, const double *points, si
   }
 }
 
-/* The volume that the walls of region r enclose; a wall that is no triangle is the triangles of its sides with the mean of
- * its nodes, so that two regions agree on it. */
+/* The volume that the walls of region r enclose; a wall that is no triangle is the triangles of its sides with the mean
+ * of its nodes, so that two regions agree on it. */
 static inline double solid_volume(const gmds_walls *walls, const double *points, size_t r)
 {
   const gmds_complex *c = walls->complex;

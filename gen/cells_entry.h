@@ -1,5 +1,5 @@
-/* The work on cells that `gmds bench cells` measures, for one generated model, through the public interface alone. Included
- * between <gmds/mesh.h> and <gmds/end.h>, before entry.h. */
+/* The work on cells that `gmds bench cells` measures, for one generated model, through the public interface alone.
+ * Included between <gmds/mesh.h> and <gmds/end.h>, before entry.h. */
 #include "model_entry.h"
 #include <math.h>
 

@@ -1,9 +1,10 @@
 /* The generator of model-specialised builds: gmds_gen FOLDER
  *
- * Writes one small file per model of the census of the plane that computes what Delaunay triangulation asks for (2 -> 0 and
- * 2 -> 2), and one per model of volumes that the command holds:
+ * Writes one small file per model of the census of the plane that computes what Delaunay triangulation asks for (2 -> 0
+ * and 2 -> 2), and one per model of volumes that the command holds:
  * a block of defines, the includes, and the shell that gives the command its entry points (entry.h); and registry.h and
- * files.txt, the list of all, which the command and CMake read. The models come from the composition tables, never from a list. */
+ * files.txt, the list of all, which the command and CMake read. The models come from the composition tables, never from
+ * a list. */
 #include <gmds/census.h>
 #include <gmds/named.h>
 #include <ctype.h>

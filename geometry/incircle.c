@@ -46,8 +46,8 @@ int gmds_incircle_extended(const double a[2], const double b[2], const double c[
   const long double bxcy = bx * cy, cxby = cx * by, cxay = cx * ay, axcy = ax * cy, axby = ax * by, bxay = bx * ay;
   const long double alift = ax * ax + ay * ay, blift = bx * bx + by * by, clift = cx * cx + cy * cy;
   const long double det = alift * (bxcy - cxby) + blift * (cxay - axcy) + clift * (axby - bxay);
-  /* The cheap size and the bound of <gmds/predicates.h>, with u = 2^-64. The exponents of long doubles let no product of
-   * four differences of doubles under- or overflow: the smallest is 2^-1074, the largest below 2^1026. */
+  /* The cheap size and the bound of <gmds/predicates.h>, with u = 2^-64. The exponents of long doubles let no product
+   * of four differences of doubles under- or overflow: the smallest is 2^-1074, the largest below 2^1026. */
   const long double size = alift * blift + clift * (alift + blift), bound = 0x1.4p-61L * (1 + 0x1p-40L) * size;
   if (!(det > bound || -det > bound) || !extended_is_extended())
     return GMDS_UNDECIDED;

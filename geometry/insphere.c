@@ -155,7 +155,8 @@ int gmds_insphere_exact(const double a[3], const double b[3], const double c[3],
   return sign;
 }
 
-/* Whether a comes before b in lexicographic order, without a branch: which of two points of a lattice does is a toss. */
+/* Whether a comes before b in lexicographic order, without a branch: which of two points of a lattice does is a
+ * toss. */
 static int before(const double a[3], const double b[3])
 {
   return (a[0] < b[0]) | ((a[0] == b[0]) & ((a[1] < b[1]) | ((a[1] == b[1]) & (a[2] < b[2]))));

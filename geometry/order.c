@@ -155,8 +155,8 @@ static void order_by_keys(sorter *s, size_t n, item *items, item *scratch)
   }
 }
 
-/* How many rounds before the last a point is inserted, by its place among the distinct points (splitmix64's mixing): one
- * for each factor of the ratio in a random number. */
+/* How many rounds before the last a point is inserted, by its place among the distinct points (splitmix64's mixing):
+ * one for each factor of the ratio in a random number. */
 static unsigned rounds_before_last(uint64_t place, unsigned last)
 {
   uint64_t z = (place + 1) * 0x9e3779b97f4a7c15u;

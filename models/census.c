@@ -81,7 +81,8 @@ static int linked(unsigned mask, int a, int b)
 }
 
 /* The same where regions are kept (GMDS__EXACT_i_j of paths.h): beyond tetrahedra, cells that keep their nodes in order
- * decide, or what they keep of their edges and faces. A polyhedron keeps its faces (R2F) and these their nodes (F2N). */
+ * decide, or what they keep of their edges and faces. A polyhedron keeps its faces (R2F) and these their nodes
+ * (F2N). */
 static unsigned exact_region_types(unsigned mask, int i, int j, const row *r)
 {
   const unsigned all = 31, tetrahedra = 1;

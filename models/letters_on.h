@@ -1,5 +1,5 @@
-/* Gives the letters of a mask their meaning while <gmds/mesh.h> reads GMDS_MODEL, GMDS_FACES and GMDS_REGIONS. What a user may have
- * called N or F is put aside and comes back with letters_off.h. */
+/* Gives the letters of a mask their meaning while <gmds/mesh.h> reads GMDS_MODEL, GMDS_FACES and GMDS_REGIONS. What a
+ * user may have called N or F is put aside and comes back with letters_off.h. */
 #pragma push_macro("N")
 #pragma push_macro("E")
 #pragma push_macro("F")

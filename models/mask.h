@@ -287,7 +287,8 @@ enum { GMDS_FN(faces) = (GMDS_FACES) };
 #  define GMDS__INLINE 0
 #endif
 /* F2F of inline faces that keep their nodes also remembers the side one arrives by: 4 * face + side. R2R of tetrahedra
- * that keep theirs likewise: 4 * region + face. Where there are regions, F2F is a set: an edge has any number of faces. */
+ * that keep theirs likewise: 4 * region + face. Where there are regions, F2F is a set: an edge has any number of
+ * faces. */
 #if GMDS__K_3
 #  define GMDS__CODED (GMDS__TETRAHEDRA && GMDS__S_3_0 && GMDS__S_3_3)
 #else

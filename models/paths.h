@@ -1,9 +1,9 @@
 /* The path of each query of the open model, and what the preprocessor can say about it:
  *   GMDS__PATH_i_j   the code of choice.h; 0 where the model cannot answer
  *   GMDS__ROW_i_j    the row of the table (tables.h) that is taken
- *   GMDS__EXACT_i_j  1 when the answer is exact on every cell that the model may hold. On simplices every row is; beyond
- *                    them a multiplicity of nodes does not make a side of a face or a face of a region: only cells that
- *                    keep their nodes in order (F2N, R2N) decide, or what they keep of their edges or faces
+ *   GMDS__EXACT_i_j  1 when the answer is exact on every cell that the model may hold. On simplices every row is;
+ *                    beyond them a multiplicity of nodes does not make a side of a face or a face of a region: only
+ *                    cells that keep their nodes in order (F2N, R2N) decide, or what they keep of their edges or faces
  *   GMDS__CAN_i_j    path and exact: get_adj_i_j exists */
 #if GMDS__S_0_1 || GMDS__S_1_0
 #  define GMDS__PATH_0_0 GMDS_CHOOSE(GMDS_PATHS_0_0_BY_EDGES)

@@ -11,7 +11,8 @@
  *
  * Four rows differ from the print, which keeps one copy after a hop up from nodes (3-0-1-2 and 2-0-1-3 and 1-0-2-3 in
  * Table 2, 3-0-1-2-3 in Table 3): a cell that merely touches x then counts as often as one inside it. The intermediate
- * cells must lie in x, so the inner multiplicity is that of the two-hop row (2 nodes for an edge, 2 for a face at an edge).
+ * cells must lie in x, so the inner multiplicity is that of the two-hop row (2 nodes for an edge, 2 for a face at an
+ * edge).
  *
  * Priority among paths ([models] 2.3.1): stored; all hops stored; the inverse of the relation; fewest traversals.
  * The preprocessor (choice.h), the census (census.c), the documentation and the tests all read this one list. */
@@ -21,8 +22,8 @@
 /* The rows are a table. */
 /* clang-format off */
 
-/* The first list is for models that link edges and nodes: an edge that bounds no face is known there alone. The second is
- * for others that link faces and nodes: a face may bound no region. */
+/* The first list is for models that link edges and nodes: an edge that bounds no face is known there alone. The second
+ * is for others that link faces and nodes: a face may bound no region. */
 #define GMDS_PATHS_0_0_BY_EDGES(P1, P2, P3, P4) P1(1, 0, 0) P2(2, 0, 0, 1, 0, 1)
 #define GMDS_PATHS_0_0_BY_FACES(P1, P2, P3, P4) P1(1, 0, 0) P2(3, 0, 0, 2, 0, 1)
 #define GMDS_PATHS_0_0(P1, P2, P3, P4)                                                                                 \

@@ -138,8 +138,8 @@ static int bench_cells(const verb *v, const char *size, const char *model, int j
   return DONE;
 }
 
-/* ---- predicates: points at random in the unit square or cube, where the filters decide, and on a lattice, where a call in
- * twenty or so is degenerate */
+/* ---- predicates: points at random in the unit square or cube, where the filters decide, and on a lattice, where a
+ * call in twenty or so is degenerate */
 
 enum { POINTS = 4096, CALLS = 1 << 20, REPETITIONS = 7, KINDS = 2 };
 

@@ -1,15 +1,15 @@
-/* The boundary of a mesh of volumes: the faces that one region has, turned outwards. One text for every model that can list
- * the nodes of its cells.
+/* The boundary of a mesh of volumes: the faces that one region has, turned outwards. One text for every model that can
+ * list the nodes of its cells.
  *
  *   <prefix>_boundary(m, faces, on)
  *     m      any mesh
- *     faces  initialised and empty, its memory is the caller's: receives the nodes around each face, counter-clockwise seen
- *            from outside by the order of the region's nodes. Where the model keeps no such order regions are taken to
- *            enclose a positive volume, polyhedra always
- *     on     initialised and empty: receives two entries a face, its region and the number of the face there (shapes.h), or
- *            NULL. Faces are in the order of these
- *   GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY; GMDS_ERR_INVARIANT (faces of a region do not make one of its type): both
- *   stay empty. Working space comes from the mesh's memory. O(mesh). */
+ *     faces  initialised and empty, its memory is the caller's: receives the nodes around each face, counter-clockwise
+ *            seen from outside by the order of the region's nodes. Where the model keeps no such order regions are
+ *            taken to enclose a positive volume, polyhedra always
+ *     on     initialised and empty: receives two entries a face, its region and the number of the face there
+ *            (shapes.h), or NULL. Faces are in the order of these
+ *   GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY; GMDS_ERR_INVARIANT (faces of a region do not make one of its type):
+ *   both stay empty. Working space comes from the mesh's memory. O(mesh). */
 #include <gmds/walls.h>
 
 _Static_assert(GMDS_LISTS_CELLS,

@@ -68,8 +68,8 @@ static inline void add_side(insertion *in, size_t c, unsigned q, const gmds_cavi
   in->sides[in->n_sides++] = (gmds_cavity_side){out->node[1], out->node[0], out->face, out->side, (unsigned)c, q};
 }
 
-/* Gathers the cavity of p from a triangle in it, depth first: the sides of its boundary are met in order around it. Both
- * sides by which a triangle is left are tested at once. */
+/* Gathers the cavity of p from a triangle in it, depth first: the sides of its boundary are met in order around it.
+ * Both sides by which a triangle is left are tested at once. */
 GMDS_SPECIALISED gmds_status grow_cavity(insertion *in, const double p[GMDS_COORDINATES], int sharing,
                                          const gmds_cavity_face *root)
 {

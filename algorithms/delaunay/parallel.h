@@ -1,5 +1,5 @@
-/* Insertion by several threads in the plane (strips.h): a star has two faces more than its cavity, so that the faces of all
- * stars are taken at once, before the first, and dealt out two a point. */
+/* Insertion by several threads in the plane (strips.h): a star has two faces more than its cavity, so that the faces of
+ * all stars are taken at once, before the first, and dealt out two a point. */
 #if GMDS_CONCURRENT_STARS
 
 typedef struct supply {

@@ -1,8 +1,8 @@
-/* From points to nodes: how many threads, order, duplicates, the map from one to the other, and what is left when all lie on
- * a line. */
+/* From points to nodes: how many threads, order, duplicates, the map from one to the other, and what is left when all
+ * lie on a line. */
 
-/* How many threads work on n points: as many as the options ask for, where the model lets several and each has enough to
- * do. */
+/* How many threads work on n points: as many as the options ask for, where the model lets several and each has enough
+ * to do. */
 static inline unsigned threads_for(size_t n, const gmds_delaunay_options *options)
 {
   size_t threads = GMDS_CONCURRENT_STARS && options && options->threads > 1 ? (size_t)options->threads : 1;

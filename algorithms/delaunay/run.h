@@ -1,7 +1,7 @@
 /* The triangulation from its first triangle to its last. */
 
-/* The first triangle (nodes 0, 1 and *third, the first that is not on their line) and the three infinite ones around it.
- * *third is GMDS_NONE when all nodes lie on one line. */
+/* The first triangle (nodes 0, 1 and *third, the first that is not on their line) and the three infinite ones around
+ * it. *third is GMDS_NONE when all nodes lie on one line. */
 static inline gmds_status first_triangle(insertion *in, gmds_id *third)
 {
   mesh *m = in->m;

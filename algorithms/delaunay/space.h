@@ -1,11 +1,11 @@
-/* Delaunay triangulation of points in space: what <gmds/algorithms/delaunay.h> is for models that keep regions. One text
- * for every model that answers 3 -> 0 and 3 -> 3 on tetrahedra.
+/* Delaunay triangulation of points in space: what <gmds/algorithms/delaunay.h> is for models that keep regions. One
+ * text for every model that answers 3 -> 0 and 3 -> 3 on tetrahedra.
  *
- * As in the plane a node that stands for infinity (the ghost) closes the triangulation, points go in along a Hilbert curve
- * in rounds, and ties are broken as CGAL does: the set of tetrahedra depends on the points alone. A point is located by a
- * walk that crosses any face it is beyond; the tetrahedra whose spheres hold it are gathered breadth first, tested two at a
- * time; the cavity operator of the model joins the walls of the cavity to it. Several threads do so as in the plane, each
- * within a slab of space. Arguments, statuses and result as in the
+ * As in the plane a node that stands for infinity (the ghost) closes the triangulation, points go in along a Hilbert
+ * curve in rounds, and ties are broken as CGAL does: the set of tetrahedra depends on the points alone. A point is
+ * located by a walk that crosses any face it is beyond; the tetrahedra whose spheres hold it are gathered breadth
+ * first, tested two at a time; the cavity operator of the model joins the walls of the cavity to it. Several threads do
+ * so as in the plane, each within a slab of space. Arguments, statuses and result as in the
  * plane, with n × 3 coordinates; points of one plane give no tetrahedra, but result->triangles. */
 #include <gmds/delaunay.h>
 #include <gmds/order.h>

@@ -1,12 +1,12 @@
 /* Insertion by several threads, in models with GMDS_CONCURRENT_STARS: what the plane and space have in common.
  *
- * A first part of the points, a sample of all, goes in as ever. Then the points are cut into strips across an axis, in space
- * slabs, one a thread. Each thread inserts the points of its strip, going from cell to cell only where all nodes are its
- * own, and puts off those points for which that is not enough. Nothing is locked, and nothing needs to be:
- *   - a star removes and makes only cells of which all nodes are one thread's, and names the new ones in cells beyond sides
- *     of which all nodes are that thread's: no two threads write the same entry;
- *   - a thread reads the neighbours of cells that are its own, and the nodes of cells that share a side with such a cell:
- *     these are its own too or have nodes of several threads, and then nobody writes them.
+ * A first part of the points, a sample of all, goes in as ever. Then the points are cut into strips across an axis, in
+ * space slabs, one a thread. Each thread inserts the points of its strip, going from cell to cell only where all nodes
+ * are its own, and puts off those points for which that is not enough. Nothing is locked, and nothing needs to be:
+ *   - a star removes and makes only cells of which all nodes are one thread's, and names the new ones in cells beyond
+ *     sides of which all nodes are that thread's: no two threads write the same entry;
+ *   - a thread reads the neighbours of cells that are its own, and the nodes of cells that share a side with such a
+ *     cell: these are its own too or have nodes of several threads, and then nobody writes them.
  * The ghost counts as everyone's node. What was put off is cut into strips across the next axis, and the little that is
  * left after the last goes in by one thread. This is done in stages, of which each inserts seven times the points there
  * are: the finer the cells, the fewer have nodes of several threads. The triangulation is unique, so that it does not
@@ -108,7 +108,8 @@ static inline void cut_strips(concurrent *c, int axis)
   gmds_share(c->threads, deal_part, c);
 }
 
-/* Tells each thread which nodes are its own, and finds a finite cell of such nodes, from which its first walk begins. */
+/* Tells each thread which nodes are its own, and finds a finite cell of such nodes, from which its first walk
+ * begins. */
 static inline void assign_strips(concurrent *c)
 {
   for (unsigned t = 0; t < c->threads; t++) {
@@ -221,8 +222,8 @@ static inline gmds_status insert_stage(concurrent *c, gmds_id first, gmds_id end
   return insert_rest(c);
 }
 
-/* Inserts the nodes from `first` on, but those in `but`, into the triangulation of those before, which in[0] made; in[1],
- * ... are empty. Each stage has as many points as make a sample of the next. */
+/* Inserts the nodes from `first` on, but those in `but`, into the triangulation of those before, which in[0] made;
+ * in[1], ... are empty. Each stage has as many points as make a sample of the next. */
 static inline gmds_status insert_by_threads(unsigned threads, insertion *in, gmds_id first, const gmds_id but[2],
                                             const gmds_delaunay_options *options)
 {

@@ -1,6 +1,7 @@
 /* The cells of one dimension: which identifiers are alive, and the attributes that users attach to them.
  *
- * Identifiers run from 0 to `end` - 1 with holes where cells were deleted; a new cell takes a hole where there is one. */
+ * Identifiers run from 0 to `end` - 1 with holes where cells were deleted; a new cell takes a hole where there is
+ * one. */
 #ifndef GMDS_CELLS_H
 #define GMDS_CELLS_H
 
@@ -89,8 +90,8 @@ void gmds_cells_move(gmds_cells *cells, gmds_id from, gmds_id to);
 /* Sets `end` to the count: after moves that left no hole below it. */
 void gmds_cells_close(gmds_cells *cells);
 
-/* map[c] for every c below `end`: where cell c goes so that there is no hole. Below the count it stays, else it takes the
- * next hole; GMDS_NONE for holes. */
+/* map[c] for every c below `end`: where cell c goes so that there is no hole. Below the count it stays, else it takes
+ * the next hole; GMDS_NONE for holes. */
 void gmds_cells_plan(const gmds_cells *cells, gmds_id *map);
 
 /* Moves the attributes and the liveness to new identifiers: map[old] = new, which is old or a hole below the count. */

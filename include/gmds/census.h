@@ -12,7 +12,8 @@ extern "C" {
 #endif
 
 /* X(name, word): cost classes of a query, from the cheapest ([models] 2.3.1). DIRECT: stored. LOCAL: composed of stored
- * relations. GLOBAL: one traversal of the mesh. MIXED: a series with at least one traversal. NONE: cannot be answered. */
+ * relations. GLOBAL: one traversal of the mesh. MIXED: a series with at least one traversal. NONE: cannot be
+ * answered. */
 #define GMDS_COST_LIST(X)       \
   X(GMDS_COST_DIRECT, "direct") \
   X(GMDS_COST_LOCAL, "local")   \
@@ -63,9 +64,9 @@ gmds_census gmds_census_of(unsigned mask, int dim);
 size_t gmds_census_size(int dim);
 unsigned gmds_census_mask(int dim, size_t k);
 
-/* GMDS_PATH_MODELS masks of dimension 3 that identify their cells and between them take every path (gmds_path.code) that
- * such a mask takes: chosen greedily, the one with the most new paths first; what is left over is filled with those of the
- * fewest relations that are computed without a traversal from volumes to nodes and volumes. */
+/* GMDS_PATH_MODELS masks of dimension 3 that identify their cells and between them take every path (gmds_path.code)
+ * that such a mask takes: chosen greedily, the one with the most new paths first; what is left over is filled with
+ * those of the fewest relations that are computed without a traversal from volumes to nodes and volumes. */
 enum { GMDS_PATH_MODELS = 64 };
 void gmds_census_paths(unsigned masks[GMDS_PATH_MODELS]);
 
@@ -79,8 +80,8 @@ gmds_status gmds_mask_parse(const char *text, gmds_error *error, unsigned *mask)
 void gmds_mask_text(unsigned mask, size_t size, char *text);
 
 /* One sentence about what must be added to a mask so that i -> j can be answered, for instance
- * "add F2N, or F2E with E2N (the inverse of a relation will do, at the cost of a traversal)". `text` holds `size` bytes;
- * 256 are always enough. */
+ * "add F2N, or F2E with E2N (the inverse of a relation will do, at the cost of a traversal)". `text` holds `size`
+ * bytes; 256 are always enough. */
 void gmds_path_advice(int i, int j, size_t size, char *text);
 
 /* The direct and indirect matrices of [models] 2.2: entry [i][j] is '0' or '1', and 'x' (stored), '0' to '3' (the first

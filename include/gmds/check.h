@@ -23,7 +23,8 @@ typedef struct gmds_relations {
 /* Checks that every entry names a live cell, that cells have as many nodes as they must, that i2j and j2i agree, that
  * F2E and F2F agree with the sides of faces, and that every relation is what the others give along the composition
  * tables. GMDS_OK; GMDS_ERR_INVARIANT, `error` names the first violation (relation, cell, what was found);
- * GMDS_ERR_MEMORY. O(n log n) for n entries; where cells know cells of their own dimension also the squares of their numbers. */
+ * GMDS_ERR_MEMORY. O(n log n) for n entries; where cells know cells of their own dimension also the squares of their
+ * numbers. */
 gmds_status gmds_check_relations(const gmds_relations *all, gmds_memory *memory, gmds_error *error);
 
 /* Copies of stored relations for the check, GMDS_NONE included; `shift` drops low bits of entries.

@@ -24,8 +24,8 @@ typedef struct gmds_stored_relations {
  * GMDS_ERR_INVARIANT, `error` names the first violation; GMDS_ERR_MEMORY. O(entries log entries of a row). */
 gmds_status gmds_check_entries(const gmds_stored_relations *all, gmds_memory *memory, gmds_error *error);
 
-/* Checks every stored relation against what the nodes of cells say, which come from some of them; and that no edge or face
- * is there twice or missing. Status as above. O(entries). */
+/* Checks every stored relation against what the nodes of cells say, which come from some of them; and that no edge or
+ * face is there twice or missing. Status as above. O(entries). */
 gmds_status gmds_check_complex(const gmds_stored_relations *all, gmds_complex *complex, gmds_error *error);
 
 /* Where the nodes of cells cannot be listed: relations that are stored both ways say the same. Status as above. */

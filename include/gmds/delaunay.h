@@ -12,9 +12,9 @@ typedef struct gmds_delaunay_options {
   /* Called now and then with how many of how many points are in; anything but 0 cancels. May be NULL. */
   int (*progress)(void *user, size_t done, size_t total);
   void *user;
-  /* How many threads may work, 0 counts as 1. More than one where the model allows (GMDS_CONCURRENT_STARS) and there are at
-   * least 4096 points a thread, in other models one; the triangles or tetrahedra are the same, their numbers depend on
-   * the number of threads and on nothing else. `progress` is then called by any of them, one at a time. */
+  /* How many threads may work, 0 counts as 1. More than one where the model allows (GMDS_CONCURRENT_STARS) and there
+   * are at least 4096 points a thread, in other models one; the triangles or tetrahedra are the same, their numbers
+   * depend on the number of threads and on nothing else. `progress` is then called by any of them, one at a time. */
   int threads;
   gmds_error *error; /* receives the sentence of a failure; may be NULL */
 } gmds_delaunay_options;

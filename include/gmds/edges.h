@@ -33,9 +33,9 @@ static inline const gmds_id *gmds_edge_table_row(const gmds_edge_table *table, s
   return *n ? table->edges + begin : NULL;
 }
 
-/* Fill a table that is initialised and empty from the nodes of faces, below n_nodes each: rows of `arity` nodes, of which
- * only those of live faces are read (alive NULL: all); or rows from begin[f] to begin[f + 1] - 1, where one of two nodes
- * counts as an edge.
+/* Fill a table that is initialised and empty from the nodes of faces, below n_nodes each: rows of `arity` nodes, of
+ * which only those of live faces are read (alive NULL: all); or rows from begin[f] to begin[f + 1] - 1, where one of
+ * two nodes counts as an edge.
  *
  * Sides are sorted into buckets by their lower node, by counting; within a bucket the edge to a node is remembered at
  * that node, so that neither a long bucket nor a long face costs more than its length: O(nodes + sides), no hash.

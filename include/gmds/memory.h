@@ -11,8 +11,9 @@ extern "C" {
 #endif
 
 /* A user's allocator: `resize` behaves as realloc, is told the old size, and frees when new_bytes is 0 (returning
- * NULL). It returns NULL when there is no memory for more bytes, leaving the old block as it was. A call for fewer bytes
- * does not fail: an allocator that cannot cut a block returns it as it is, and is told the smaller size from then on. */
+ * NULL). It returns NULL when there is no memory for more bytes, leaving the old block as it was. A call for fewer
+ * bytes does not fail: an allocator that cannot cut a block returns it as it is, and is told the smaller size from then
+ * on. */
 typedef struct gmds_allocator {
   void *(*resize)(void *user, void *block, size_t old_bytes, size_t new_bytes);
   void *user;

@@ -2,16 +2,17 @@
  *
  *     #define GMDS_PREFIX tri                what the names begin with: tri_mesh, tri_get_adj_2_0(), ...
  *     #define GMDS_MODEL  (N|F|F2N|F2F)      cells kept and relations stored (relations.h)
- *     #define GMDS_FACES  TRIANGLE           optional: the only types of faces (TRIANGLE, QUADRILATERAL, POLYGON, with |)
- *     #define GMDS_REGIONS TETRAHEDRON       optional, where R is kept: the only types of regions (TETRAHEDRON, PYRAMID,
+ *     #define GMDS_FACES  TRIANGLE           optional: the only types of faces (TRIANGLE, QUADRILATERAL, POLYGON, with
+ *     |) #define GMDS_REGIONS TETRAHEDRON       optional, where R is kept: the only types of regions (TETRAHEDRON,
+ *     PYRAMID,
  *                                            PRISM, HEXAHEDRON: the four are the default; POLYHEDRON)
  *     #include <gmds/mesh.h>
  *     #include <gmds/algorithms/delaunay.h>  algorithms written once over any model
  *     #include <gmds/end.h>                  closes the model: nothing leaks
  *
  * The path of every query is chosen here, by the preprocessor, from the composition tables (models/tables.h). The
- * functions are declared in models/incidence/interface.h, where regions are kept in models/volume/interface.h, which are
- * the places to read what a mesh can do. */
+ * functions are declared in models/incidence/interface.h, where regions are kept in models/volume/interface.h, which
+ * are the places to read what a mesh can do. */
 #if defined GMDS__OPEN
 #  error "gmds: a model is still open; include <gmds/end.h> before the next <gmds/mesh.h>"
 #elif defined __cplusplus

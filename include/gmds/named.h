@@ -1,6 +1,6 @@
 /* Named models of volumes: the full (F1 to F6) and reduced (R1 to R4) representations of Garimella (2002, "Mesh data
- * structure selection for mesh generation and FEA applications", reference 6 of [models]), of which [models] 2.2 shows F1,
- * R1 and R2. Each has a header of its own that opens it:
+ * structure selection for mesh generation and FEA applications", reference 6 of [models]), of which [models] 2.2 shows
+ * F1, R1 and R2. Each has a header of its own that opens it:
  *
  *     #define GMDS_PREFIX  vol
  *     #define GMDS_REGIONS TETRAHEDRON        optional, as with <gmds/mesh.h>

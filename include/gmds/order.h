@@ -14,8 +14,8 @@ size_t gmds_order_scratch(size_t n);
 
 /* Orders n points for insertion.
  *   memory     where the working space comes from, all freed again
- *   scratch    gmds_order_scratch(n) bytes of the caller's that may be overwritten, aligned for doubles, where there are
- *              some anyway (a first touch of memory costs as much as ten reads); else NULL
+ *   scratch    gmds_order_scratch(n) bytes of the caller's that may be overwritten, aligned for doubles, where there
+ *              are some anyway (a first touch of memory costs as much as ten reads); else NULL
  *   threads    how many may work; it does not change the result. 0 counts as 1
  *   dim        2 or 3
  *   n, xy      n × dim coordinates, row major, all finite

@@ -1,7 +1,8 @@
-/* Pairs: rows that hold two entries as a rule (E2F: an edge bounds two faces, one at the border), inline. A row that grows
- * beyond two, an edge that is not manifold, moves to a row of variable length (rows.h), so nothing limits it.
+/* Pairs: rows that hold two entries as a rule (E2F: an edge bounds two faces, one at the border), inline. A row that
+ * grows beyond two, an edge that is not manifold, moves to a row of variable length (rows.h), so nothing limits it.
  *
- * Cost: two identifiers a row. A row of more than two entries also takes what a row of rows.h takes, and an identifier. */
+ * Cost: two identifiers a row. A row of more than two entries also takes what a row of rows.h takes, and an
+ * identifier. */
 #ifndef GMDS_PAIRS_H
 #define GMDS_PAIRS_H
 

@@ -39,8 +39,8 @@ typedef struct gmds_part {
   gmds_column column;
 } gmds_part;
 
-/* Owned by the caller. `memory` is the mesh's own, with its allocator and its counts: do not move the structure while it
- * holds parts. */
+/* Owned by the caller. `memory` is the mesh's own, with its allocator and its counts: do not move the structure while
+ * it holds parts. */
 typedef struct gmds_parts {
   gmds_memory memory;
   gmds_layout layout; /* of the model that gave them */
@@ -67,14 +67,14 @@ void gmds_parts_clear(gmds_parts *parts);
  * also the squares of the numbers of sides. */
 gmds_status gmds_parts_convert(gmds_parts *parts, const gmds_layout *to, gmds_error *error);
 
-/* Makes `to`, which has none, the parts of the same mesh under other identifiers: maps[i] gives each live i-cell its own,
- * from 0 to the count, each once (not checked); no hole is left. Its memory is another one, with the allocator and what is
- * left of the limit. GMDS_OK; GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (`to` has none). O(cells and entries). */
+/* Makes `to`, which has none, the parts of the same mesh under other identifiers: maps[i] gives each live i-cell its
+ * own, from 0 to the count, each once (not checked); no hole is left. Its memory is another one, with the allocator and
+ * what is left of the limit. GMDS_OK; GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (`to` has none). O(cells and entries). */
 gmds_status gmds_parts_copy_as(const gmds_parts *from, gmds_id *const maps[3], gmds_parts *to);
 
 /* Reads parts (which may be a mesh's own, looked at and not owned) by the sides of faces: 2 -> 2, or 0 -> 0 where no
- * edge is linked with nodes, or 2 -> 1 or 1 -> 2 where edges are, of all cells at once. The csr is initialised and empty.
- * GMDS_OK or any status of gmds_parts_convert (the csr stays empty). O(cells and entries). */
+ * edge is linked with nodes, or 2 -> 1 or 1 -> 2 where edges are, of all cells at once. The csr is initialised and
+ * empty. GMDS_OK or any status of gmds_parts_convert (the csr stays empty). O(cells and entries). */
 gmds_status gmds_parts_over_sides(const gmds_parts *parts, int i, int j, gmds_csr *csr);
 
 #ifdef __cplusplus

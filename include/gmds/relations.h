@@ -1,5 +1,5 @@
-/* The alphabet of mesh models: cells N, E, F, R (dimension 0 to 3), the 16 relations X2Y between them, and the number of
- * coordinates of a node. A mask is the union of such bits. */
+/* The alphabet of mesh models: cells N, E, F, R (dimension 0 to 3), the 16 relations X2Y between them, and the number
+ * of coordinates of a node. A mask is the union of such bits. */
 #ifndef GMDS_RELATIONS_H
 #define GMDS_RELATIONS_H
 

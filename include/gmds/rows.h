@@ -130,8 +130,8 @@ void gmds_rows_empty(gmds_rows *rows, size_t r);              /* keeps its block
 void gmds_rows_release(gmds_rows *rows, size_t r);            /* empties it and frees its block */
 void gmds_rows_move(gmds_rows *rows, size_t from, size_t to); /* row `to` has no block, `from` has none any more */
 
-/* Appends to `list` the cells that occur in at least `times` (1 or more) of the rows list[first] to list[last - 1], once
- * each: Keep_times o Adj, for rows that are sets. The longest times - 1 rows (at most three) are looked up
+/* Appends to `list` the cells that occur in at least `times` (1 or more) of the rows list[first] to list[last - 1],
+ * once each: Keep_times o Adj, for rows that are sets. The longest times - 1 rows (at most three) are looked up
  * in, never listed. GMDS_OK or GMDS_ERR_MEMORY (what was appended is cut off again). O(total length of the other rows),
  * each entry looked up in all. */
 gmds_status gmds_rows_meet(const gmds_rows *rows, size_t first, size_t last, size_t times, gmds_ids *list);
@@ -139,9 +139,10 @@ gmds_status gmds_rows_meet(const gmds_rows *rows, size_t first, size_t last, siz
 /* Packs the pool in the order of the rows, nothing spare. GMDS_OK or GMDS_ERR_MEMORY (unchanged). O(everything). */
 gmds_status gmds_rows_trim(gmds_rows *rows, gmds_memory *memory);
 
-/* Fills rows that are empty: n_rows of them, row r < end with the entries (*data)[begin[r]] to (*data)[begin[r + 1] - 1],
- * nothing spare. *data, `capacity` entries from `memory`, becomes the pool and *data NULL where that can be; else it is
- * copied and stays the caller's. GMDS_OK; GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (unchanged). O(rows and entries). */
+/* Fills rows that are empty: n_rows of them, row r < end with the entries (*data)[begin[r]] to (*data)[begin[r + 1] -
+ * 1], nothing spare. *data, `capacity` entries from `memory`, becomes the pool and *data NULL where that can be; else
+ * it is copied and stays the caller's. GMDS_OK; GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (unchanged). O(rows and
+ * entries). */
 gmds_status gmds_rows_adopt(gmds_rows *rows, gmds_memory *memory, size_t n_rows, const size_t *begin, size_t end,
                             gmds_id **data, size_t capacity);
 

@@ -8,8 +8,8 @@ extern "C" {
 
 enum { GMDS_MAX_THREADS = 256 };
 
-/* Calls body(work, t) once for each t from 0 to n - 1 and returns when all have, n from 1 to GMDS_MAX_THREADS. Thread 0 is
- * the caller's; a thread that the system refuses has its part done by the caller. Starting a thread costs some 20
+/* Calls body(work, t) once for each t from 0 to n - 1 and returns when all have, n from 1 to GMDS_MAX_THREADS. Thread 0
+ * is the caller's; a thread that the system refuses has its part done by the caller. Starting a thread costs some 20
  * microseconds. What the bodies wrote is seen after the call. */
 void gmds_share(unsigned n, void (*body)(void *work, unsigned t), void *work);
 

@@ -39,8 +39,8 @@ typedef struct gmds_cavity_side {
   unsigned in_side;  /* a is node[in_side] of that face */
 } gmds_cavity_side;
 
-/* A wall of a cavity in space: a triangle of its boundary, node[0], node[1], node[2] turning counter-clockwise seen from
- * inside, so that they make a positive tetrahedron with a node inside. */
+/* A wall of a cavity in space: a triangle of its boundary, node[0], node[1], node[2] turning counter-clockwise seen
+ * from inside, so that they make a positive tetrahedron with a node inside. */
 typedef struct gmds_cavity_wall {
   gmds_id node[3];
   gmds_id out;       /* the region beyond */

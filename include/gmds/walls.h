@@ -15,8 +15,8 @@ typedef struct gmds_walls {
   gmds_bits inwards; /* walls of polyhedra that are listed the other way round; no words where there is none */
 } gmds_walls;
 
-/* Finds which walls of polyhedra are listed inwards: those of one polyhedron are turned alike, and so that it encloses a
- * positive volume. Walls of other regions are outwards by their order (shapes.h). The complex is joined; points: 3
+/* Finds which walls of polyhedra are listed inwards: those of one polyhedron are turned alike, and so that it encloses
+ * a positive volume. Walls of other regions are outwards by their order (shapes.h). The complex is joined; points: 3
  * coordinates a node. GMDS_OK or GMDS_ERR_MEMORY (the walls are empty). O(entries). */
 gmds_status gmds_walls_init(gmds_walls *walls, const gmds_complex *complex, const double *points);
 void gmds_walls_clear(gmds_walls *walls);

@@ -1,6 +1,7 @@
-/* Queries of the whole mesh. A stored relation is copied, the inverse of one is built by counting. Faces that share a side,
- * and edges of sides, are told by grouping the sides by their nodes. Otherwise the query of one cell runs for each, and the
- * traversals that it would make are made once for all: the inverse is lent to it. O(mesh) for every pair and model. */
+/* Queries of the whole mesh. A stored relation is copied, the inverse of one is built by counting. Faces that share a
+ * side, and edges of sides, are told by grouping the sides by their nodes. Otherwise the query of one cell runs for
+ * each, and the traversals that it would make are made once for all: the inverse is lent to it. O(mesh) for every pair
+ * and model. */
 
 typedef gmds_status (*GMDS_FN(query))(const mesh *m, gmds_id id, gmds_ids *out);
 

@@ -1,7 +1,7 @@
 /* Closing the holes that deletions left: the cells with the largest identifiers move into them. */
 
-/* Where the cells that know a face, or an edge, are found from it without a traversal, it moves by itself: the cost is that
- * of the holes. */
+/* Where the cells that know a face, or an edge, are found from it without a traversal, it moves by itself: the cost is
+ * that of the holes. */
 #define GMDS__MOVES_FACES                                                            \
   (GMDS__INLINE && (!GMDS__S_0_2 || GMDS__S_2_0) && (!GMDS__S_2_2 || GMDS__CODED) && \
    (!GMDS__S_1_2 || GMDS__S_2_1 || (GMDS__S_2_0 && GMDS__S_0_1)))

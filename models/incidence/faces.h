@@ -53,8 +53,8 @@ static inline gmds_status check_faces(mesh *m, size_t n, const size_t *begin, co
   return GMDS_OK;
 }
 
-/* Adds the faces one after the other. at_edge has, for each edge of the table, the edge of the mesh and the face there, or
- * GMDS_NONE while there is none: so nothing is looked up. */
+/* Adds the faces one after the other. at_edge has, for each edge of the table, the edge of the mesh and the face there,
+ * or GMDS_NONE while there is none: so nothing is looked up. */
 static inline gmds_status add_known_faces(mesh *m, const gmds_edge_table *table, const gmds_id *nodes, gmds_id *at_edge,
                                           gmds_ids *list, size_t *failed)
 {

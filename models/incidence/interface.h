@@ -9,8 +9,8 @@ typedef struct mesh mesh;
 
 /* ---- life
 
- * An empty mesh. allocator: where its memory comes from; NULL stands for the C library's. Allocates nothing. Do not copy
- * or move the structure while it is in use. GMDS_OK, always: the status begins a chain of calls. */
+ * An empty mesh. allocator: where its memory comes from; NULL stands for the C library's. Allocates nothing. Do not
+ * copy or move the structure while it is in use. GMDS_OK, always: the status begins a chain of calls. */
 static inline gmds_status mesh_init(mesh *m, const gmds_allocator *allocator);
 
 /* Frees everything. The mesh is empty and usable; memory.peak goes on. */
@@ -28,9 +28,9 @@ static inline gmds_status trim(mesh *m);
 
 /* Closes the holes: cells numbered below the count keep their identifiers, the others move into the holes in the order
  * they have. maps[i], if not NULL, receives the new identifier of each old i-cell, GMDS_NONE for holes; it has room for
- * end_i of them. maps may be NULL. GMDS_OK or GMDS_ERR_MEMORY. Constant when there is no hole; O(holes) for edges where N2E
- * comes with E2N and F2E with E2F, and for faces of one type where N2F comes with F2N, F2F with F2N, and E2F with F2E, or
- * with F2N and N2E; else O(mesh). */
+ * end_i of them. maps may be NULL. GMDS_OK or GMDS_ERR_MEMORY. Constant when there is no hole; O(holes) for edges where
+ * N2E comes with E2N and F2E with E2F, and for faces of one type where N2F comes with F2N, F2F with F2N, and E2F with
+ * F2E, or with F2N and N2E; else O(mesh). */
 static inline gmds_status compact(mesh *m, gmds_id *maps[3]);
 
 /* ---- cells: how many are alive; whether one is; the first from `id` on, or GMDS_NONE.
@@ -51,8 +51,8 @@ static inline gmds_id next_2(const mesh *m, gmds_id f);
 static inline const double *point(const mesh *m, gmds_id v);
 static inline void set_point(mesh *m, gmds_id v, const double *x);
 
-/* The coordinates of all nodes, row major, for scans and for setting many: those of node v from 2 v or 3 v on, with room
- * for as many nodes as were reserved. Valid until a node is added or the room changes. */
+/* The coordinates of all nodes, row major, for scans and for setting many: those of node v from 2 v or 3 v on, with
+ * room for as many nodes as were reserved. Valid until a node is added or the room changes. */
 static inline double *coordinates(mesh *m);
 
 /* One past the largest identifier in use: how long an array over all i-cells must be. */
@@ -66,8 +66,8 @@ static inline gmds_memory *mesh_memory(mesh *m);
 
 /* ---- attributes: named columns of values beside the cells of one dimension (cells.h), which grow and move with them.
 
- * Adds a column to the i-cells, i from 0 to 2. GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_ARGUMENT (no such dimension, no name, no
- * component, unknown type); GMDS_ERR_CONFLICT (the name is taken). */
+ * Adds a column to the i-cells, i from 0 to 2. GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_ARGUMENT (no such dimension, no name,
+ * no component, unknown type); GMDS_ERR_CONFLICT (the name is taken). */
 static inline gmds_status add_attribute(mesh *m, int i, const char *name, gmds_value type, size_t components,
                                         gmds_attribute **attribute);
 
@@ -147,8 +147,8 @@ GMDS__SORRY(2, 2, GMDS_PATHS_2_2) gmds_status get_adj_2_2(const mesh *m, gmds_id
 #endif
 
 /* The same for every i-cell at once: row c of the csr (empty where c is not alive) is what get_adj_i_j gives for c.
- * The csr is initialised and empty, its memory is the caller's. GMDS_OK or GMDS_ERR_MEMORY (it stays empty). O(mesh), the
- * answer included: k faces on one edge have k (k - 1) neighbours. */
+ * The csr is initialised and empty, its memory is the caller's. GMDS_OK or GMDS_ERR_MEMORY (it stays empty). O(mesh),
+ * the answer included: k faces on one edge have k (k - 1) neighbours. */
 #if GMDS__CAN_0_0
 static inline gmds_status all_adj_0_0(const mesh *m, gmds_csr *csr);
 #endif
@@ -177,10 +177,10 @@ static inline gmds_status all_adj_2_1(const mesh *m, gmds_csr *csr);
 static inline gmds_status all_adj_2_2(const mesh *m, gmds_csr *csr);
 #endif
 
-/* ---- views: what a model stores, without copying. view_i_j gives the j-cells of a live i-cell (not checked) as they are
- * stored, and how many in *n: the set of get_adj_i_j in no order, that of 2 -> 0 and 2 -> 1 by sides: node k, and the edge
- * from node k to node k + 1. Valid until the mesh changes. Where all faces are triangles, the rows of faces f and f + 1
- * follow each other, so that a loop over a column is one over an array.
+/* ---- views: what a model stores, without copying. view_i_j gives the j-cells of a live i-cell (not checked) as they
+ * are stored, and how many in *n: the set of get_adj_i_j in no order, that of 2 -> 0 and 2 -> 1 by sides: node k, and
+ * the edge from node k to node k + 1. Valid until the mesh changes. Where all faces are triangles, the rows of faces f
+ * and f + 1 follow each other, so that a loop over a column is one over an array.
  * In models that store the relation (GMDS_VIEW(i, j)); elsewhere it does not compile, and says so. F2F has no view: its
  * entries may be empty and carry a side; across() reads them. */
 #if GMDS_VIEW(0, 0)
@@ -225,18 +225,18 @@ GMDS__NOT_STORED(2, 1) const gmds_id *view_2_1(const mesh *m, gmds_id f, size_t 
 #endif
 GMDS__NO_VIEW const gmds_id *view_2_2(const mesh *m, gmds_id f, size_t *n);
 
-/* All edges of the faces, kept or not, with the nodes of each and the edges of each face (edges.h). Their numbers are the
- * table's, not those of edges that the mesh keeps; edges without a face are not among them. The table is initialised and
- * empty, its memory is the caller's. GMDS_OK, GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (it stays empty). O(mesh). In models
- * that keep the order of a face's nodes, or hold triangles only. */
+/* All edges of the faces, kept or not, with the nodes of each and the edges of each face (edges.h). Their numbers are
+ * the table's, not those of edges that the mesh keeps; edges without a face are not among them. The table is
+ * initialised and empty, its memory is the caller's. GMDS_OK, GMDS_ERR_MEMORY or GMDS_ERR_TOO_MANY (it stays empty).
+ * O(mesh). In models that keep the order of a face's nodes, or hold triangles only. */
 #if GMDS_ORDERED_2_0 || (GMDS__CAN_2_0 && GMDS__SIMPLICIAL)
 static inline gmds_status all_edges(const mesh *m, gmds_edge_table *table);
 #endif
 
-/* Reading 2 -> 0 and 0 -> 2 for the length of an algorithm that changes neither: prepare_i_j fills a csr (initialised and
- * empty, owned and cleared by the caller) unless the relation is stored; read_i_j gives the j-cells of a live i-cell (not
- * checked), in place where they are stored, with their number. GMDS_OK or GMDS_ERR_MEMORY (the csr stays empty). O(mesh) or
- * constant; then constant time a cell. */
+/* Reading 2 -> 0 and 0 -> 2 for the length of an algorithm that changes neither: prepare_i_j fills a csr (initialised
+ * and empty, owned and cleared by the caller) unless the relation is stored; read_i_j gives the j-cells of a live
+ * i-cell (not checked), in place where they are stored, with their number. GMDS_OK or GMDS_ERR_MEMORY (the csr stays
+ * empty). O(mesh) or constant; then constant time a cell. */
 #if GMDS__CAN_2_0
 static inline gmds_status prepare_2_0(const mesh *m, gmds_csr *csr);
 static inline const gmds_id *read_2_0(const mesh *m, const gmds_csr *csr, gmds_id f, size_t *n);
@@ -287,12 +287,13 @@ static inline gmds_status add_face_linked(mesh *m, size_t n, const gmds_id *node
 /* ---- deletion: nothing that remains names what is gone.
 
  * A face; its edges stay, or go when they bound no other face (GMDS_DROP_BARE_EDGES). GMDS_OK; GMDS_ERR_CELL;
- * GMDS_ERR_MEMORY; GMDS_ERR_UNSUPPORTED (the model cannot tell what is to be forgotten). The cost of 2 -> 0 and 2 -> 1. */
+ * GMDS_ERR_MEMORY; GMDS_ERR_UNSUPPORTED (the model cannot tell what is to be forgotten). The cost of 2 -> 0 and 2 ->
+ * 1. */
 static inline gmds_status remove_face(mesh *m, gmds_id f, gmds_edges edges);
 
 /* An edge or a node: refused with GMDS_ERR_CONFLICT while something is on it, or after that has gone (GMDS_CASCADE; the
- * edges of faces that go stay, save those at the node; in a model that links no edges with nodes they go when they bound
- * no other face). The rest as remove_face. */
+ * edges of faces that go stay, save those at the node; in a model that links no edges with nodes they go when they
+ * bound no other face). The rest as remove_face. */
 #if GMDS__K_1
 static inline gmds_status remove_edge(mesh *m, gmds_id e, gmds_around around);
 #endif
@@ -327,10 +328,10 @@ static inline gmds_id across(const mesh *m, gmds_id f, unsigned k, unsigned *arr
 
 /* ---- the cavity operator: see topology.h for the cavity
 
- * Replaces n_faces triangles by the n_sides triangles (sides[i].a, sides[i].b, apex). The sides are in order: the end of
- * each is the beginning of the next. The apex is a node that nothing is on. ids[i] receives the triangle on side i; the
- * identifiers of the cavity are used again. Attributes of reused cells stay as they were. That the apex, the faces and the
- * sides are what they are said to be is not checked.
+ * Replaces n_faces triangles by the n_sides triangles (sides[i].a, sides[i].b, apex). The sides are in order: the end
+ * of each is the beginning of the next. The apex is a node that nothing is on. ids[i] receives the triangle on side i;
+ * the identifiers of the cavity are used again. Attributes of reused cells stay as they were. That the apex, the faces
+ * and the sides are what they are said to be is not checked.
  * GMDS_OK; GMDS_ERR_ARGUMENT (n_sides is not n_faces + 2); GMDS_ERR_INVARIANT (an edge that should be there is not);
  * GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY. Nothing is looked up in models where F2E or N2E, or no edge, is stored.
  * In models that hold triangles, answer 2 -> 0 and do not store E2E. */
@@ -341,12 +342,12 @@ static inline gmds_status star(mesh *m, gmds_id apex, size_t n_faces, const gmds
 
 /* The same by several threads at once, in models in which a star writes nothing but the rows of its faces and the
  * entries that name them in the faces beyond its sides (GMDS_CONCURRENT_STARS: triangles with F2N and F2F,
- * no other relation and no edges). Calls may run at the same time when their cavities and apexes differ, no face is in one
- * cavity and beyond a side of another, and no other call changes the mesh; queries of faces that no star touches may run
- * beside them.
+ * no other relation and no edges). Calls may run at the same time when their cavities and apexes differ, no face is in
+ * one cavity and beyond a side of another, and no other call changes the mesh; queries of faces that no star touches
+ * may run beside them.
  *
- * take_faces: n faces, numbered from *first on without a gap, alive and without rows: until each has become part of a star,
- * or was given back, queries and traversals must not meet it. GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY. O(n).
+ * take_faces: n faces, numbered from *first on without a gap, alive and without rows: until each has become part of a
+ * star, or was given back, queries and traversals must not meet it. GMDS_OK; GMDS_ERR_MEMORY; GMDS_ERR_TOO_MANY. O(n).
  * drop_faces: gives back faces [first, first + n), of which no row was written.
  * star_of: as star, where ids[n_faces] and ids[n_faces + 1] are such faces; nothing is checked, nothing fails. */
 #if GMDS_CONCURRENT_STARS
@@ -364,29 +365,29 @@ static inline void star_of(mesh *m, gmds_id apex, size_t n_faces, const gmds_cav
 static inline gmds_status check(const mesh *m, gmds_memory *memory, gmds_error *error);
 
 /* Fills an empty mesh from a soup: its points become nodes in their order, its faces faces; edges are added where the
- * model can hold them. Faces take linear time in any model, edges that no face has that of add_edge. GMDS_OK or any status
- * of add_node, add_edge and add_face (`error` names the cell; the mesh is empty, its attributes stay); GMDS_ERR_UNSUPPORTED
- * for volumes and for a third coordinate that is not 0 in a model of two. */
+ * model can hold them. Faces take linear time in any model, edges that no face has that of add_edge. GMDS_OK or any
+ * status of add_node, add_edge and add_face (`error` names the cell; the mesh is empty, its attributes stay);
+ * GMDS_ERR_UNSUPPORTED for volumes and for a third coordinate that is not 0 in a model of two. */
 static inline gmds_status from_soup(mesh *m, const gmds_soup *soup, gmds_error *error);
 
-/* Writes the nodes and faces into a soup (what it held is freed), renumbered without holes. In models that keep the order
- * of a face's nodes, or hold triangles only. GMDS_OK or GMDS_ERR_MEMORY (the soup is unchanged). O(mesh). */
+/* Writes the nodes and faces into a soup (what it held is freed), renumbered without holes. In models that keep the
+ * order of a face's nodes, or hold triangles only. GMDS_OK or GMDS_ERR_MEMORY (the soup is unchanged). O(mesh). */
 #if GMDS_ORDERED_2_0 || (GMDS__CAN_2_0 && GMDS__SIMPLICIAL)
 static inline gmds_status to_soup(const mesh *m, gmds_soup *soup);
 #endif
 
-/* Lists the nodes of all cells in a complex (complex.h) that is initialised and empty, and joins it: what algorithms that
- * look at a whole mesh ask once. Faces keep their identifiers, and edges where the model answers 1 -> 0; others are not
- * listed. GMDS_OK, GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY (the complex stays empty). O(mesh). In models that keep the order of
- * a face's nodes, or hold triangles only. */
+/* Lists the nodes of all cells in a complex (complex.h) that is initialised and empty, and joins it: what algorithms
+ * that look at a whole mesh ask once. Faces keep their identifiers, and edges where the model answers 1 -> 0; others
+ * are not listed. GMDS_OK, GMDS_ERR_MEMORY, GMDS_ERR_TOO_MANY (the complex stays empty). O(mesh). In models that keep
+ * the order of a face's nodes, or hold triangles only. */
 #define GMDS_LISTS_CELLS (GMDS_ORDERED_2_0 || (GMDS__CAN_2_0 && GMDS__SIMPLICIAL))
 #if GMDS_LISTS_CELLS
 static inline gmds_status get_complex(const mesh *m, gmds_complex *complex, gmds_error *error);
 #endif
 
 /* Hands over all that the mesh holds, in constant time: cells, points, attributes, relations, and its memory with the
- * counts, so that `peak` goes on in whoever takes them. What `parts` (initialised, see parts.h) held is freed. The mesh is
- * empty and usable. Lists of the caller that took their memory from the mesh (mesh_memory) are cleared before. */
+ * counts, so that `peak` goes on in whoever takes them. What `parts` (initialised, see parts.h) held is freed. The mesh
+ * is empty and usable. Lists of the caller that took their memory from the mesh (mesh_memory) are cleared before. */
 static inline void give_parts(mesh *m, gmds_parts *parts);
 
 /* Gives every cell another identifier: maps[i][c] is that of the live i-cell c, from 0 to count_i - 1, each once (not
@@ -395,10 +396,10 @@ static inline void give_parts(mesh *m, gmds_parts *parts);
 static inline gmds_status permute(mesh *m, gmds_id *const maps[3]);
 
 /* Makes an empty mesh of this model hold the parts that a mesh of any model gave. What both models store is moved, what
- * this one stores more is built, what it stores less is freed. Cells keep their identifiers and attributes; edges go where
- * this model keeps none, and come, one for each two nodes that a face joins, where the other had none. What the mesh held
- * (room, attributes without values) is freed, its memory becomes that of the parts. Edges that no relation of this model
- * links with anything else are kept, and only counted.
+ * this one stores more is built, what it stores less is freed. Cells keep their identifiers and attributes; edges go
+ * where this model keeps none, and come, one for each two nodes that a face joins, where the other had none. What the
+ * mesh held (room, attributes without values) is freed, its memory becomes that of the parts. Edges that no relation of
+ * this model links with anything else are kept, and only counted.
  * GMDS_OK (no parts are left); GMDS_ERR_ARGUMENT (the mesh is not empty, or there are no parts) or any status of
  * gmds_parts_convert: mesh and parts are as they were, and the mesh that gave the parts can take them again, which
  * allocates nothing. `error` may be NULL. O(cells and entries); constant time where both models store the same. */

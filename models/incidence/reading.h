@@ -1,4 +1,5 @@
-/* Reading 2 -> 0 and 0 -> 2 of a whole mesh: where the relation is stored, in place; else from a csr that is built once. */
+/* Reading 2 -> 0 and 0 -> 2 of a whole mesh: where the relation is stored, in place; else from a csr that is built
+ * once. */
 
 #if GMDS__CAN_2_0
 static inline gmds_status prepare_2_0(const mesh *m, gmds_csr *csr)

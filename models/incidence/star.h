@@ -42,9 +42,9 @@ static inline gmds_status edge_at(mesh *m, gmds_id f, unsigned side, gmds_id a, 
 }
 #  endif
 
-/* Whether rows or pairs hold faces: then it pays to let the new face on a side have the number of the old one there. Two of
- * its nodes and the edge between them know it already. Likewise an edge inside the cavity becomes a spoke of the star, one
- * that joins the apex to a node of the boundary, where possible at one of its ends. */
+/* Whether rows or pairs hold faces: then it pays to let the new face on a side have the number of the old one there.
+ * Two of its nodes and the edge between them know it already. Likewise an edge inside the cavity becomes a spoke of the
+ * star, one that joins the apex to a node of the boundary, where possible at one of its ends. */
 #  define GMDS__KEEPS_FACES (GMDS__S_0_2 || GMDS__S_1_2)
 
 /* What a star uses again. The arrays lie in m->plan. */
@@ -200,7 +200,8 @@ static inline gmds_status take_star(mesh *m, size_t n_faces, size_t n_sides, sta
   return GMDS_OK;
 }
 
-/* The numbers of the star's faces: where a number stays on a side, it; else one of a face without a side, or a fresh one. */
+/* The numbers of the star's faces: where a number stays on a side, it; else one of a face without a side, or a fresh
+ * one. */
 static inline void number_star(const star_plan *plan, size_t n_faces, const gmds_cavity_face *faces, size_t n_sides,
                                const gmds_cavity_side *sides, const gmds_id fresh[2], gmds_id *ids)
 {

@@ -1,5 +1,5 @@
-/* Queries of the whole mesh: the query of one cell runs for each, and the traversals that it would make are made once for
- * all: the inverse is lent to it. A stored relation is copied, the inverse of one is built by counting. O(mesh). */
+/* Queries of the whole mesh: the query of one cell runs for each, and the traversals that it would make are made once
+ * for all: the inverse is lent to it. A stored relation is copied, the inverse of one is built by counting. O(mesh). */
 
 typedef gmds_status (*GMDS_FN(query))(const mesh *m, gmds_id id, gmds_ids *out);
 

@@ -1,5 +1,5 @@
-/* The check of a mesh: every stored relation is handed, as it is stored, to check_volume.h, which holds it against the nodes
- * of the cells. */
+/* The check of a mesh: every stored relation is handed, as it is stored, to check_volume.h, which holds it against the
+ * nodes of the cells. */
 
 static inline gmds_status check_relations(const mesh *m, gmds_stored_relations *all, gmds_memory *memory,
                                           gmds_error *error)

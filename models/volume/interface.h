@@ -170,7 +170,7 @@ static inline gmds_status remove_edge(mesh *m, gmds_id e, gmds_around around);
 static inline gmds_status remove_node(mesh *m, gmds_id v, gmds_around around);
 
 /* ---- nodes and neighbours without a list
-
+ *
  * How many sides a live face has (not checked). In models with GMDS_ORDERED_2_0. */
 #if GMDS_ORDERED_2_0
 static inline size_t face_sides(const mesh *m, gmds_id f);
@@ -200,7 +200,7 @@ static inline gmds_status checksum(const mesh *m, gmds_memory *memory, uint64_t 
 #endif
 
 /* ---- the cavity operator
-
+ *
  * Replaces the tetrahedra ids[0 .. n_regions), a cavity, by the n_walls tetrahedra (node[0], node[1], node[2], apex) of
  * its walls (topology.h). The apex is a node that nothing is on. What the model keeps of edges and faces goes with the
  * cavity and comes with the star. ids, which has room for both, receives the tetrahedron on each wall; identifiers are
@@ -216,15 +216,17 @@ static inline gmds_status star(mesh *m, gmds_id apex, size_t n_regions, size_t n
 
 /* The same by several threads at once, in models in which a star writes nothing but the rows of its regions and the
  * entries that name them beyond its walls (GMDS_CONCURRENT_STARS: tetrahedra with R2N and R2R, no other relation, no
- * edges and no faces). Calls may run at the same time when their cavities and apexes differ, no region is in one cavity and
- * beyond a wall of another, and no other call changes the mesh; queries of regions that no star touches may run beside them.
+ * edges and no faces). Calls may run at the same time when their cavities and apexes differ, no region is in one cavity
+ * and beyond a wall of another, and no other call changes the mesh; queries of regions that no star touches may run
+ * beside them.
  *
- * take_regions: at most n regions, as many as there is room for without growing, numbered from *first on without a gap, alive
- * and without rows: until each has become part of a star, or was given back, queries and traversals must not meet it. How
- * many. O(n).
+ * take_regions: at most n regions, as many as there is room for without growing, numbered from *first on without a gap,
+ * alive and without rows: until each has become part of a star, or was given back, queries and traversals must not meet
+ * it. How many. O(n).
  * drop_regions: gives back regions [first, first + n) of which nothing is named by others.
- * star_of: the star of n_walls walls, at most GMDS_STAR_OF_WALLS, on the regions ids: those of the cavity and such regions.
- * Those of the cavity that are not among them are the caller's, as if taken. Nothing is checked, nothing fails. */
+ * star_of: the star of n_walls walls, at most GMDS_STAR_OF_WALLS, on the regions ids: those of the cavity and such
+ * regions. Those of the cavity that are not among them are the caller's, as if taken. Nothing is checked, nothing
+ * fails. */
 #if GMDS_CONCURRENT_STARS
 #  define GMDS_STAR_OF_WALLS 124
 static inline size_t take_regions(mesh *m, size_t n, gmds_id *first);
@@ -233,7 +235,7 @@ static inline void star_of(mesh *m, gmds_id apex, size_t n_walls, const gmds_cav
 #endif
 
 /* ---- the whole mesh
-
+ *
  * Verifies every stored relation against the nodes of all cells, where the model can list them (GMDS_LISTS_CELLS), else
  * relations that are stored both ways against each other. GMDS_OK; GMDS_ERR_INVARIANT (`error` names the first
  * violation); GMDS_ERR_MEMORY. O(mesh). */

@@ -1,5 +1,5 @@
-/* Queries. Along the rows of the tables, whose expansion in answer.h is their text; where cells are no simplices, what a
- * multiplicity lets through is held against the nodes that cells keep in order. */
+/* Queries. Along the rows of the tables, whose expansion in answer.h is their text; where cells are no simplices, what
+ * a multiplicity lets through is held against the nodes that cells keep in order. */
 
 #include <gmds/models/volume/relations.h>
 

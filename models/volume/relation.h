@@ -1,8 +1,8 @@
 /* What is done with the relation from a-cells to b-cells (GMDS__A, GMDS__B): included once for each pair of dimensions.
  *
- * hop_a_b    from the cells list[first .. last) append those they are linked with: along the relation where it is stored,
- *            else by a traversal of its inverse (the extended model of [models] 2.3.1), unless that is lent for a query of
- *            the whole mesh
+ * hop_a_b    from the cells list[first .. last) append those they are linked with: along the relation where it is
+ *            stored, else by a traversal of its inverse (the extended model of [models] 2.3.1), unless that is lent for
+ *            a query of the whole mesh
  * meet_a_b   append those that at least `times` of these cells are linked with, once each
  * row_a_b    the entries of one cell, where they are stored */
 #define GMDS__AT(x) GMDS__JOIN(x, GMDS__A, GMDS__B)

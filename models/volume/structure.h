@@ -2,7 +2,8 @@
  * growth.
  *
  * Lists of the stored relations, by the way they are stored:
- *   set       rows of a pool, in no order      ordered   rows of a pool, an entry for each node, edge or face of the cell
+ *   set       rows of a pool, in no order      ordered   rows of a pool, an entry for each node, edge or face of the
+ *             cell
  *   pairs     two inline as a rule (F2R)       inline    columns of fixed arity, where all cells have the same type
  * GMDS__KIND_i_j: 1 rows, 2 pairs, 3 inline. */
 #define GMDS__EACH_SET(X) \

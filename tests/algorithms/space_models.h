@@ -1,5 +1,5 @@
-/* The models of volumes on which the algorithms are tested: each reads, builds or goes without other relations, keeps the
- * order of regions or does not. X(prefix) */
+/* The models of volumes on which the algorithms are tested: each reads, builds or goes without other relations, keeps
+ * the order of regions or does not. X(prefix) */
 #define RUN t_nodes
 #define GMDS_MODEL (N | R | R2N)
 #define GMDS_REGIONS TETRAHEDRON

@@ -122,8 +122,8 @@ static int is_untouched(const subject *s, void *m, const gmds_soup *soup, const 
          !o->summary.cells && memcmp(s->points(m), soup->points, 3 * soup->n_points * sizeof(double)) == 0;
 }
 
-/* Runs all of them on the regions of a soup. With `inject` each call is repeated with one more allocation granted until it
- * succeeds, and in between nothing has changed. */
+/* Runs all of them on the regions of a soup. With `inject` each call is repeated with one more allocation granted until
+ * it succeeds, and in between nothing has changed. */
 static void run(const subject *s, const gmds_soup *soup, const brute *b, int inject, outcome *o)
 {
   void *m = malloc(s->bytes);
@@ -650,8 +650,8 @@ END_TEST
 
 /* ---- new numbers */
 
-/* The maps are one to one and go up along the least nodes, attributes have gone along, and region r of the one is region
- * map[r] of the other. */
+/* The maps are one to one and go up along the least nodes, attributes have gone along, and region r of the one is
+ * region map[r] of the other. */
 static void check_numbers(const subject *s, void *m, const gmds_soup *soup, const gmds_soup *after, gmds_id **maps,
                           const size_t *end)
 {

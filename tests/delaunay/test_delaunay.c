@@ -1,6 +1,6 @@
 /* Claims about Delaunay triangulations, in models that take different paths: whatever the input, the result is the
- * Delaunay triangulation (every triangle's circle is empty, by exact predicates, and the triangles fill the hull), it is
- * the same in every model and for every order of the points, and bad input changes nothing. */
+ * Delaunay triangulation (every triangle's circle is empty, by exact predicates, and the triangles fill the hull), it
+ * is the same in every model and for every order of the points, and bad input changes nothing. */
 #include "harness.h"
 #include "models.h"
 #include <gmds/io.h>
@@ -383,8 +383,8 @@ START_TEST(every_failing_allocation_leaves_the_mesh_empty)
 }
 END_TEST
 
-/* One triangle whose sides have nothing beyond them, and the star of a node in it: with every allocation failing in turn
- * nothing has changed; then there are three triangles and every relation holds. */
+/* One triangle whose sides have nothing beyond them, and the star of a node in it: with every allocation failing in
+ * turn nothing has changed; then there are three triangles and every relation holds. */
 START_TEST(a_star_that_fails_changes_nothing)
 {
   static const double xy[4][2] = {{0, 0}, {3, 0}, {0, 3}, {1, 1}};

@@ -1,6 +1,6 @@
-/* Claims about insertion by several threads in space, as test_threads.c makes them in the plane: the tetrahedra are those of
- * one thread, whatever the input and the number of threads; the numbering depends on the number of threads alone; what
- * fails leaves the mesh empty. A thread sanitizer runs this program too. */
+/* Claims about insertion by several threads in space, as test_threads.c makes them in the plane: the tetrahedra are
+ * those of one thread, whatever the input and the number of threads; the numbering depends on the number of threads
+ * alone; what fails leaves the mesh empty. A thread sanitizer runs this program too. */
 #include "harness.h"
 #include <gmds/io.h>
 #include <math.h>

@@ -1,6 +1,6 @@
-/* Claims about insertion by several threads: the triangles are those of one thread, whatever the input and the number of
- * threads; the numbering depends on the number of threads alone; what fails leaves the mesh empty. A thread sanitizer
- * runs this program too. */
+/* Claims about insertion by several threads: the triangles are those of one thread, whatever the input and the number
+ * of threads; the numbering depends on the number of threads alone; what fails leaves the mesh empty. A thread
+ * sanitizer runs this program too. */
 #include "harness.h"
 #include <gmds/io.h>
 
@@ -70,8 +70,8 @@ START_TEST(any_number_of_threads_gives_the_triangles_of_one)
 }
 END_TEST
 
-/* Strips that cut nothing off: all abscissas equal but for a few points; few distinct abscissas; every point given twice;
- * two far clusters. */
+/* Strips that cut nothing off: all abscissas equal but for a few points; few distinct abscissas; every point given
+ * twice; two far clusters. */
 START_TEST(points_that_strips_do_not_divide_are_inserted_too)
 {
   enum { MANY = 20000 };

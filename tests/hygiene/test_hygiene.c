@@ -1,5 +1,6 @@
-/* What a closed model leaves behind: its functions, and nothing of its letters, short names and macros. Here what a user
- * has called like a letter keeps its meaning, and models stand side by side; leftovers.cmake looks for the rest. */
+/* What a closed model leaves behind: its functions, and nothing of its letters, short names and macros. Here what a
+ * user has called like a letter keeps its meaning, and models stand side by side; leftovers.cmake looks for the
+ * rest. */
 #include "harness.h"
 
 #define N 11

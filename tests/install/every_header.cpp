@@ -44,7 +44,8 @@ static void geometry(gmds_memory *memory)
   expect(gmds_predicates_check() == GMDS_OK, "this platform computes as the predicates assume");
   expect(gmds_orient2d(a, b, c) == 1, "a, b, c turn left");
   expect(gmds_incircle(a, b, c, d) == 0, "the corners of a square lie on a circle");
-  expect(gmds_order_points(memory, nullptr, 1, 2, 3, xy, nullptr, order, nullptr, &distinct) == GMDS_OK && distinct == 2,
+  expect(gmds_order_points(memory, nullptr, 1, 2, 3, xy, nullptr, order, nullptr, &distinct) == GMDS_OK &&
+             distinct == 2,
          "equal points are found");
 }
 

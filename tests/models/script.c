@@ -56,8 +56,8 @@ void script_list(const subject *s, face_list *list)
   }
 }
 
-/* Where edges know no nodes, which edge of the mesh is which of the reference: by the sides of the faces where they keep
- * edges in order, else one with the same faces. */
+/* Where edges know no nodes, which edge of the mesh is which of the reference: by the sides of the faces where they
+ * keep edges in order, else one with the same faces. */
 static void match_edges(subject *s)
 {
   static reference_edge edges[MAX_EDGES];

@@ -43,9 +43,9 @@ void subject_remove_edge(subject *s, gmds_id e, gmds_around around);
 void subject_remove_node(subject *s, gmds_id v, gmds_around around);
 void subject_compact(subject *s);
 
-/* Converts the mesh to another model and compares it. What the model before could not tell (how a triangle turns, which of
- * two edges with the same faces lies where) the reference takes from the mesh. Returns the status, which is GMDS_OK unless
- * the new model cannot hold the mesh or the old one does not determine it; then nothing has changed. */
+/* Converts the mesh to another model and compares it. What the model before could not tell (how a triangle turns, which
+ * of two edges with the same faces lies where) the reference takes from the mesh. Returns the status, which is GMDS_OK
+ * unless the new model cannot hold the mesh or the old one does not determine it; then nothing has changed. */
 gmds_status subject_become(subject *s, const model *to);
 
 /* Asserts that the mesh is what the reference says: cells, coordinates, attributes, every query of one cell and of the

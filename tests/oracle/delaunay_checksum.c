@@ -1,5 +1,5 @@
-/* The checksum of the Delaunay triangulation by one model, as the oracles print it: delaunay_checksum SPEC in the plane,
- * delaunay_checksum SPEC 3 in space */
+/* The checksum of the Delaunay triangulation by one model, as the oracles print it: delaunay_checksum SPEC in the
+ * plane, delaunay_checksum SPEC 3 in space */
 #define GMDS_PREFIX tri
 #define GMDS_MODEL (N | F | F2N | F2F)
 #define GMDS_FACES TRIANGLE

@@ -1,5 +1,5 @@
-// The checksum (gmds/checksum.h) of CGAL's Delaunay triangulation in space, of its tetrahedra, or of its triangles where all
-// points lie in one plane; what every model's must be equal to:
+// The checksum (gmds/checksum.h) of CGAL's Delaunay triangulation in space, of its tetrahedra, or of its triangles where
+// all points lie in one plane; what every model's must be equal to:
 //     oracle_delaunay3 SPEC [--cells FILE]
 // SPEC is read by gmds' own io, so that both see the same points; prints 16 hexadecimal digits. --cells writes the
 // cells, one a line: the coordinates of their points in %a, points sorted, lines not.

@@ -1,8 +1,8 @@
 // A second opinion on Delaunay triangulations in space: TetGen's.
 //     oracle_tetgen SPEC            prints the checksum (gmds/checksum.h) of TetGen's tetrahedra: that of ours where no
 //                                   five points lie on a sphere
-//     oracle_tetgen SPEC --valid    where points do, both choose among Delaunay triangulations: TetGen's and ours are each
-//                                   held against the definition by exact predicates, and against each other by volume
+//     oracle_tetgen SPEC --valid    where points do, both choose among Delaunay triangulations: TetGen's and ours are
+//                                   each held against the definition by exact predicates, and against each other by volume
 // Where the points span no volume there is nothing to compare, and it says so.
 #include "our_tetrahedra.h"
 #include <algorithm>

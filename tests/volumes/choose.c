@@ -1,8 +1,8 @@
 /* Chooses the models that the tests of volumes compile, from the census: choose FOLDER, or choose FOLDER all for every
  * mask that identifies its cells. Writes files of a few models each, a list of all, and files.txt.
  *
- * The 64 models that take every path between them, in several flavours; more at random from a seed; and models with what
- * the census leaves out (N2N, E2E, F2F, R2R beside all others). */
+ * The 64 models that take every path between them, in several flavours; more at random from a seed; and models with
+ * what the census leaves out (N2N, E2E, F2F, R2R beside all others). */
 #include <gmds/census.h>
 #include <stdio.h>
 #include <string.h>

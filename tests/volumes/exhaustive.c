@@ -1,5 +1,6 @@
-/* What exhaustive.sh runs over a chunk of models: the comparisons of test_volumes.c with fewer steps, and meshes filled from
- * the model with all relations, which also reach models that can add no regions. The last model of the list is that one. */
+/* What exhaustive.sh runs over a chunk of models: the comparisons of test_volumes.c with fewer steps, and meshes filled
+ * from the model with all relations, which also reach models that can add no regions. The last model of the list is
+ * that one. */
 #include "volumes/pool.h"
 
 static subject one, full;

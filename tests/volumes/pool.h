@@ -1,4 +1,5 @@
-/* What meshes are made of: regions and faces that fit each other or mislead, on nodes 0 to 27; and random operations. */
+/* What meshes are made of: regions and faces that fit each other or mislead, on nodes 0 to 27; and random
+ * operations. */
 #ifndef GMDS_TESTS_POOL_H
 #define GMDS_TESTS_POOL_H
 

@@ -1,5 +1,5 @@
-/* The reference mesh: cells as lists of nodes, every query by brute force over all cells. Numbers are given as the meshes
- * give them: the lowest that is free. */
+/* The reference mesh: cells as lists of nodes, every query by brute force over all cells. Numbers are given as the
+ * meshes give them: the lowest that is free. */
 #ifndef GMDS_TESTS_VOLUME_REFERENCE_H
 #define GMDS_TESTS_VOLUME_REFERENCE_H
 

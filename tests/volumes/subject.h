@@ -29,7 +29,8 @@ void subject_fail(const subject *s, const char *format, ...) __attribute__((form
  *     do
  *       status = ...;
  *     while (subject_again(s, status));
- * with `inject` it is tried until it has all the memory it asks for, and whenever it has not nothing may have changed. */
+ * with `inject` it is tried until it has all the memory it asks for, and whenever it has not nothing may have
+ * changed. */
 void subject_attempt(subject *s);
 int subject_again(subject *s, gmds_status status);
 

@@ -1,6 +1,6 @@
-/* What a failing call leaves behind in models of volumes: for every k, the k-th allocation of an operation fails, in every
- * operation of every compiled model. A status each time, the mesh as it was (an operation that fills it: empty), nothing
- * leaked, and the next attempt succeeds. */
+/* What a failing call leaves behind in models of volumes: for every k, the k-th allocation of an operation fails, in
+ * every operation of every compiled model. A status each time, the mesh as it was (an operation that fills it: empty),
+ * nothing leaked, and the next attempt succeeds. */
 #include "volumes/pool.h"
 #include <limits.h>
 

@@ -1,4 +1,5 @@
-/* Every mesh of volumes of the data folder: read, made a mesh with all sixteen relations, checked, written and read back. */
+/* Every mesh of volumes of the data folder: read, made a mesh with all sixteen relations, checked, written and read
+ * back. */
 #define _DEFAULT_SOURCE /* mkdtemp */
 #include "harness.h"
 #include <gmds/io.h>

@@ -22,8 +22,8 @@ START_TEST(paths_of_the_preprocessor_are_those_of_the_census)
 }
 END_TEST
 
-/* Every path that a mask of the census takes, and every row of the tables, is taken by a compiled model, which the other
- * tests hold against brute force. */
+/* Every path that a mask of the census takes, and every row of the tables, is taken by a compiled model, which the
+ * other tests hold against brute force. */
 START_TEST(every_path_is_taken)
 {
   static int met[16][256], taken[16][256];

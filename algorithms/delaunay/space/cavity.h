@@ -1,7 +1,7 @@
 /* The cavity of a point: which tetrahedra are in conflict with it, and the walls around them. */
 
-/* Whether p is in conflict with the tetrahedron of nodes v, when a filter does not tell or one of them is the ghost: then
- * it is beyond the finite face, or in the plane of it and within its circle. */
+/* Whether p is in conflict with the tetrahedron of nodes v, when a filter does not tell or one of them is the ghost:
+ * then it is beyond the finite face, or in the plane of it and within its circle. */
 __attribute__((cold, noinline)) static unsigned in_conflict_exactly(const insertion *in, const gmds_id v[4],
                                                                     const double p[3])
 {
@@ -74,7 +74,8 @@ GMDS_APART gmds_status reserve_marks(insertion *in, size_t n)
 }
 
 /* Gathers the cavity of p from a tetrahedron in it, breadth first. Each tetrahedron is tested once, two at a time, and
- * appended without a branch; what will be read of those in the queue, and of the numbers of nodes, is on its way meanwhile. */
+ * appended without a branch; what will be read of those in the queue, and of the numbers of nodes, is on its way
+ * meanwhile. */
 GMDS_SPECIALISED gmds_status grow_cavity(insertion *in, const candidate *root, const double p[3], int sharing)
 {
   const mesh *m = in->m;
@@ -126,7 +127,8 @@ GMDS_SPECIALISED gmds_status grow_cavity(insertion *in, const candidate *root, c
   return GMDS_OK;
 }
 
-/* The number of a node, whose entry in in->local is at `v`, within the boundary at work, the next one if it has none. */
+/* The number of a node, whose entry in in->local is at `v`, within the boundary at work, the next one if it has
+ * none. */
 static inline unsigned number_of(gmds_id *local, size_t v, gmds_id base, gmds_id *count)
 {
   const gmds_id had = local[v], next = base + *count, is_new = had < base, l = had ^ ((had ^ next) & (0 - is_new));

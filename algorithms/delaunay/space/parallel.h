@@ -1,9 +1,10 @@
-/* Insertion by several threads in space (strips.h). How many regions a star has more than its cavity is not known before:
- * each thread takes some for each of its points before a round, 6.8 of uniform points being what they need, keeps those
- * that cavities leave over, puts points off when it has none left, and gives back what it has before the rest goes in.
+/* Insertion by several threads in space (strips.h). How many regions a star has more than its cavity is not known
+ * before: each thread takes some for each of its points before a round, 6.8 of uniform points being what they need,
+ * keeps those that cavities leave over, puts points off when it has none left, and gives back what it has before the
+ * rest goes in.
  *
- * Marks of regions and numbers of nodes are everyone's, too. Those of a region with nodes of several threads are written
- * by the one thread that it shares a face with, if there is one; the ghost has a number a thread. */
+ * Marks of regions and numbers of nodes are everyone's, too. Those of a region with nodes of several threads are
+ * written by the one thread that it shares a face with, if there is one; the ghost has a number a thread. */
 #if GMDS_CONCURRENT_STARS
 
 #  define GMDS__A_POINT 7 /* regions taken for each */
@@ -12,8 +13,8 @@ typedef struct supply {
   size_t known; /* of regions below this number all that are alive had rows before the stage */
 } supply;
 
-/* As locate(), but of the faces that p is beyond it crosses one behind which all nodes are this thread's, and where there is
- * none it puts p off. The next walk begins there, so that points put off in a row do not make walks longer. */
+/* As locate(), but of the faces that p is beyond it crosses one behind which all nodes are this thread's, and where
+ * there is none it puts p off. The next walk begins there, so that points put off in a row do not make walks longer. */
 GMDS_APART void locate_shared(insertion *in, const double p[3], candidate *found)
 {
   const mesh *m = in->m;
@@ -127,8 +128,8 @@ static inline void open_stage(concurrent *c)
   c->supply.known = end_3(c->in->m);
 }
 
-/* Takes regions for all threads, as many as there is room for without growing: what that is not enough for goes in by one
- * thread, which makes room. */
+/* Takes regions for all threads, as many as there is room for without growing: what that is not enough for goes in by
+ * one thread, which makes room. */
 static inline gmds_status open_round(concurrent *c)
 {
   enum { MORE = 64 };

@@ -1,8 +1,8 @@
 /* Stepping from tetrahedron to tetrahedron, and the walk to a point. */
 
 /* A tetrahedron in hand: its nodes in positive order, and what lies beyond its faces (shapes.h numbers them). In models
- * with GMDS_ACROSS the order is the mesh's, and an entry is 4 * region + the number of the face there; in others it comes
- * from the step by which it was reached, and an entry is a region. */
+ * with GMDS_ACROSS the order is the mesh's, and an entry is 4 * region + the number of the face there; in others it
+ * comes from the step by which it was reached, and an entry is a region. */
 typedef struct tetrahedron {
   gmds_id node[4];
   gmds_id beyond[4];
