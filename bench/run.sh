@@ -19,7 +19,7 @@ done
 bench/delaunay.py --runs 15 "${options[@]}" random:1000000:1 grid:1000 >out/delaunay.json
 bench/delaunay.py --runs 9 "${options[@]}" "${specs[@]}" >>out/delaunay.json
 bench/delaunay.py --runs 5 random:1000000:1 random:10000000:1 >out/ten-million.json
-space=(random:1000:1 random:10000:1 random:100000:1 clusters:1000000:1 circle:100000)
+space=(random:1000:1 random:10000:1 random:100000:1 clusters:1000000:1)
 for name in pdal_autzen_trim_lidar.xyz.xz gmt_ship_15.xyz.xz cgal_kitten.xyz.xz; do
   [ -f "$points/$name" ] && space+=("$points/$name")
 done
