@@ -272,6 +272,18 @@ void gmds_soup_trim(gmds_soup *soup)
     (void)set_cell_capacity(soup, soup->n_cells);
 }
 
+gmds_id *gmds_soup_give_corners(gmds_soup *soup, size_t *n)
+{
+  *n = soup->n_cells ? soup->begin[soup->n_cells] : 0;
+  (void)set_corner_capacity(soup, *n); /* fewer: it does not fail */
+  gmds_id *corners = soup->corners;
+  soup->corners = NULL;
+  soup->corner_capacity = 0;
+  soup->n_cells = 0;
+  (void)set_cell_capacity(soup, 0);
+  return corners;
+}
+
 void gmds_soup_count(const gmds_soup *soup, size_t count[4])
 {
   for (int d = 0; d < 4; d++)

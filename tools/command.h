@@ -100,6 +100,7 @@ gmds_status write_any(const char *path, const gmds_soup *soup, gmds_error *error
 gmds_status check_volumes(const char *path, const gmds_soup *soup, int json, gmds_error *error);
 void print_quality(const gmds_quality *quality, const char *size);
 
-extern const verb verb_models, verb_sweep, verb_delaunay, verb_convert, verb_info, verb_check, verb_bench;
+extern const verb verb_models, verb_sweep, verb_delaunay, verb_convert, verb_info, verb_check, verb_bench,
+    verb_homology;
 
 #endif

@@ -4,8 +4,8 @@
 #include <signal.h>
 #include <string.h>
 
-static const verb *const verbs[] = {&verb_models, &verb_sweep, &verb_delaunay, &verb_convert,
-                                    &verb_info,   &verb_check, &verb_bench};
+static const verb *const verbs[] = {&verb_models,   &verb_sweep, &verb_delaunay, &verb_convert,
+                                    &verb_homology, &verb_info,  &verb_check,    &verb_bench};
 
 static void print_verbs(FILE *file)
 {

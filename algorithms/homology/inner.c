@@ -1,0 +1,95 @@
+/* Step 1: removal of edges between two faces. An edge is inner as long as its two faces have not become one, which the
+ * union-find of faces tells in nearly constant time. Clusters share no face, so that threads never meet (1a); the edges
+ * between clusters follow in one pass (1b). */
+#include "simplify.h"
+#include <string.h>
+
+/* Deals with the edge of dart d of face f, if d is its lower dart. */
+static inline size_t visit_edge(const gmds_simplification *w, gmds_id d, gmds_id f, int clusters)
+{
+  const gmds_surface *s = w->s;
+  const gmds_id e = s->beta2[d];
+  if (e <= d || e == GMDS_NONE) { /* met from the other side, or at the border */
+    w->edge[d] = e == GMDS_NONE ? GMDS_EDGE_CRITICAL : GMDS_EDGE_GONE;
+    return 0;
+  }
+  const gmds_id g = gmds_surface_face(s, e);
+  if (clusters && w->cluster[g] != w->cluster[f]) {
+    w->edge[d] = GMDS_EDGE_CRITICAL;
+    return 0;
+  }
+  int merged = gmds_homology_merge(w->root, f, g);
+  w->edge[d] = merged ? GMDS_EDGE_GONE : GMDS_EDGE_KEPT;
+  return (size_t)merged;
+}
+
+/* The loop of all faces, compiled for one thread and for several, for triangles and for other faces. */
+GMDS_SPECIALISED size_t visit_faces(const gmds_simplification *w, unsigned t, int clusters, int triangles)
+{
+  const gmds_surface *s = w->s;
+  size_t merged = 0;
+  for (gmds_id f = 0; f < s->n_faces; f++) {
+    if (clusters && w->worker[w->cluster[f]] != t)
+      continue;
+    const gmds_id first = triangles ? 3 * f : s->begin[f], end = triangles ? first + 3 : s->begin[f + 1];
+    for (gmds_id d = first; d < end; d++)
+      merged += visit_edge(w, d, f, clusters);
+  }
+  return merged;
+}
+
+static void visit_part(void *work, unsigned t)
+{
+  gmds_simplification *w = work;
+  if (!w->s->begin)
+    w->merged[t] = w->cluster ? visit_faces(w, t, 1, 1) : visit_faces(w, t, 0, 1);
+  else
+    w->merged[t] = w->cluster ? visit_faces(w, t, 1, 0) : visit_faces(w, t, 0, 0);
+}
+
+void gmds_homology_inner(gmds_simplification *w, gmds_homology *h)
+{
+  for (size_t f = 0; f <= w->s->n_faces; f++)
+    w->root[f] = (gmds_id)f;
+  const unsigned threads = w->cluster ? w->threads : 1;
+  gmds_share(threads, visit_part, w);
+  for (unsigned t = 0; t < threads; t++)
+    h->inner += w->merged[t];
+}
+
+/* The next dart from d on whose edge is critical, or n. Few are: first eight are looked at at once. */
+static gmds_id next_critical(const uint8_t *edge, gmds_id d, size_t n)
+{
+  uint64_t eight, critical = GMDS_EDGE_CRITICAL * UINT64_C(0x0101010101010101);
+  while (d + 8 <= n && !(memcpy(&eight, edge + d, 8), eight & critical))
+    d += 8;
+  while (d < n && edge[d] != GMDS_EDGE_CRITICAL)
+    d++;
+  return d;
+}
+
+/* Merges the faces of the critical edges that have two, or one. How many it merged. */
+static size_t merge_critical(gmds_simplification *w, int border)
+{
+  const gmds_surface *s = w->s;
+  size_t n = 0;
+  for (gmds_id d = next_critical(w->edge, 0, s->n_darts); d < s->n_darts; d = next_critical(w->edge, d + 1, s->n_darts)) {
+    const gmds_id e = s->beta2[d];
+    if ((e == GMDS_NONE) != border)
+      continue;
+    /* beyond the border is one face more. Each component meets it once, and no two meet there: they share no edge. */
+    const int merged = gmds_homology_merge(w->root, gmds_surface_face(s, d),
+                                           border ? (gmds_id)s->n_faces : gmds_surface_face(s, e));
+    w->edge[d] = merged ? GMDS_EDGE_GONE : GMDS_EDGE_KEPT;
+    n += (size_t)merged;
+  }
+  return n;
+}
+
+void gmds_homology_critical(gmds_simplification *w, gmds_homology *h)
+{
+  if (w->cluster)
+    h->critical = merge_critical(w, 0);
+  if (w->s->n_border)
+    h->border = merge_critical(w, 1);
+}
