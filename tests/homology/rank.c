@@ -64,12 +64,12 @@ static size_t find_edge(const edges *e, gmds_id a, gmds_id b)
   return k;
 }
 
-static gmds_id after(const faces *f, size_t face, size_t i)
+static gmds_id after(const face_list *f, size_t face, size_t i)
 {
   return f->nodes[i + 1 < f->begin[face + 1] ? i + 1 : f->begin[face]];
 }
 
-static edges list_edges(const faces *f)
+static edges list_edges(const face_list *f)
 {
   edges e = {0, NULL, NULL};
   const size_t sides = f->begin[f->n];
@@ -95,7 +95,7 @@ static void free_edges(edges *e)
 }
 
 /* The boundaries of faces in the first rows of a matrix with `more` rows behind. */
-static matrix boundaries(const faces *f, const edges *e, size_t more)
+static matrix boundaries(const face_list *f, const edges *e, size_t more)
 {
   matrix m = new_matrix(f->n + more, e->n);
   for (size_t face = 0; face < f->n; face++)
@@ -106,7 +106,7 @@ static matrix boundaries(const faces *f, const edges *e, size_t more)
 
 /* Whether turning some faces makes every two that share an edge run along it in different directions: a system of equations
  * modulo 2, an unknown a face, solvable when the right side does not raise the rank. */
-static int find_orientable(const faces *f, const edges *e)
+static int find_orientable(const face_list *f, const edges *e)
 {
   matrix m = new_matrix(e->n, f->n + 1), left = new_matrix(e->n, f->n + 1);
   size_t first[2], rows = 0;
@@ -131,7 +131,7 @@ static int find_orientable(const faces *f, const edges *e)
   return rank_of(m) == rank_of(left);
 }
 
-truth find_truth(const faces *f)
+truth find_truth(const face_list *f)
 {
   edges e = list_edges(f);
   truth t = {.edges = e.n, .orientable = find_orientable(f, &e)};
@@ -154,7 +154,7 @@ truth find_truth(const faces *f)
   return t;
 }
 
-int are_generators(const faces *f, const gmds_csr *h1)
+int are_generators(const face_list *f, const gmds_csr *h1)
 {
   edges e = list_edges(f);
   matrix m = boundaries(f, &e, h1->n);
@@ -177,7 +177,7 @@ int are_generators(const faces *f, const gmds_csr *h1)
   return right;
 }
 
-int are_closed(const faces *f, const gmds_csr *h2)
+int are_closed(const face_list *f, const gmds_csr *h2)
 {
   edges e = list_edges(f);
   char *met = calloc(f->n + 1, 1);
@@ -198,7 +198,7 @@ int are_closed(const faces *f, const gmds_csr *h2)
   return right;
 }
 
-int are_components(const faces *f, const gmds_ids *h0)
+int are_components(const face_list *f, const gmds_ids *h0)
 {
   size_t *label = malloc((f->n_vertices + 1) * sizeof *label);
   int right = 1;

@@ -11,21 +11,21 @@ typedef enum shape { DISK, ANNULUS, MOEBIUS, TORUS, KLEIN, PROJECTIVE, SPHERE, N
 static const size_t betti_of_shape[N_SHAPES][3] = {{1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {1, 2, 1},
                                                    {1, 2, 1}, {1, 1, 1}, {1, 0, 1}};
 
-static inline faces new_faces(size_t n_vertices, size_t faces_, size_t corners)
+static inline face_list new_faces(size_t n_vertices, size_t faces_, size_t corners)
 {
-  faces f = {n_vertices, 0, malloc((faces_ + 1) * sizeof(size_t)), malloc((corners + 1) * sizeof(gmds_id))};
+  face_list f = {n_vertices, 0, malloc((faces_ + 1) * sizeof(size_t)), malloc((corners + 1) * sizeof(gmds_id))};
   f.begin[0] = 0;
   return f;
 }
 
-static inline void free_faces(faces *f)
+static inline void free_faces(face_list *f)
 {
   free(f->begin);
   free(f->nodes);
 }
 
 /* A face, without vertices that are the one before; none where that leaves two. */
-static inline void put_face(faces *f, size_t n, const gmds_id *nodes)
+static inline void put_face(face_list *f, size_t n, const gmds_id *nodes)
 {
   size_t end = f->begin[f->n];
   for (size_t k = 0; k < n; k++)
@@ -77,9 +77,9 @@ static inline gmds_id grid_point(shape s, size_t n, size_t i, size_t j)
 }
 
 /* Squares, or triangles of which every other has been turned round where `turned`. */
-static inline faces make_shape(shape s, size_t n, int triangles, int turned)
+static inline face_list make_shape(shape s, size_t n, int triangles, int turned)
 {
-  faces f = new_faces((n + 1) * (n + 1), 2 * n * n, 6 * n * n);
+  face_list f = new_faces((n + 1) * (n + 1), 2 * n * n, 6 * n * n);
   for (size_t i = 0; i < n; i++)
     for (size_t j = 0; j < n; j++) {
       const gmds_id a = grid_point(s, n, i, j), b = grid_point(s, n, i + 1, j), c = grid_point(s, n, i + 1, j + 1),
@@ -96,9 +96,9 @@ static inline faces make_shape(shape s, size_t n, int triangles, int turned)
 
 /* At most n faces of 3 to `most` vertices, drawn from a few, with one or two faces an edge: pinched at many vertices, with
  * borders, of several components, mostly not orientable. */
-static inline faces draw_faces(uint64_t *seed, size_t n_vertices, size_t n, size_t most)
+static inline face_list draw_faces(uint64_t *seed, size_t n_vertices, size_t n, size_t most)
 {
-  faces f = new_faces(n_vertices, n, n * most);
+  face_list f = new_faces(n_vertices, n, n * most);
   unsigned char *sides = calloc(n_vertices * n_vertices, 1);
   for (size_t draw = 0; draw < n; draw++) {
     gmds_id v[16];

@@ -12,7 +12,7 @@ static void begin(void)
   gmds_memory_init(&memory, NULL);
 }
 
-static gmds_surface surface_of(const faces *f)
+static gmds_surface surface_of(const face_list *f)
 {
   gmds_surface s;
   gmds_surface_init(&s, &memory);
@@ -20,7 +20,7 @@ static gmds_surface surface_of(const faces *f)
   return s;
 }
 
-static void check_surface(const faces *f, const gmds_surface *s, const truth *t)
+static void check_surface(const face_list *f, const gmds_surface *s, const truth *t)
 {
   ck_assert_uint_eq(s->n_faces, f->n);
   ck_assert_uint_eq(s->n_darts, f->begin[f->n]);
@@ -44,7 +44,7 @@ static void check_surface(const faces *f, const gmds_surface *s, const truth *t)
   }
 }
 
-static void check_homology(const faces *f, const truth *t, const gmds_homology *h)
+static void check_homology(const face_list *f, const truth *t, const gmds_homology *h)
 {
   ck_assert_uint_eq(h->vertices, t->vertices);
   ck_assert_uint_eq(h->edges, t->edges);
@@ -65,7 +65,7 @@ static void check_homology(const faces *f, const truth *t, const gmds_homology *
 }
 
 /* All ways to cluster, the labels drawn. */
-static void check_faces(const faces *f, uint64_t *seed)
+static void check_faces(const face_list *f, uint64_t *seed)
 {
   gmds_surface s = surface_of(f);
   const truth t = find_truth(f);
@@ -98,7 +98,7 @@ START_TEST(quotients_of_a_grid_have_their_homology)
   for (int k = 0; k < N_SHAPES; k++)
     for (size_t n = 3; n < 8; n++)
       for (int how = 0; how < 3; how++) {
-        faces f = make_shape((shape)k, n, how > 0 && k != PROJECTIVE, how > 1); /* cut, its corners would meet */
+        face_list f = make_shape((shape)k, n, how > 0 && k != PROJECTIVE, how > 1); /* cut, its corners would meet */
         const truth t = find_truth(&f);
         for (int i = 0; i < 3; i++)
           ck_assert_uint_eq(t.betti[i], betti_of_shape[k][i]);
@@ -115,7 +115,7 @@ START_TEST(drawn_faces_have_the_homology_of_their_boundary_matrices)
   size_t pinched = 0, most_generators = 0;
   begin();
   for (int round = 0; round < 400; round++) {
-    faces f = draw_faces(&seed, 4 + random_below(&seed, 20), random_below(&seed, 90), 3 + (size_t)round % 4);
+    face_list f = draw_faces(&seed, 4 + random_below(&seed, 20), random_below(&seed, 90), 3 + (size_t)round % 4);
     const truth t = find_truth(&f);
     pinched += t.betti[2] > 0;
     most_generators = t.betti[1] > most_generators ? t.betti[1] : most_generators;
@@ -166,7 +166,7 @@ END_TEST
 
 START_TEST(options_out_of_range_are_refused)
 {
-  faces f = make_shape(TORUS, 4, 1, 0);
+  face_list f = make_shape(TORUS, 4, 1, 0);
   gmds_homology h;
   gmds_error error = {.status = GMDS_OK};
   begin();
@@ -237,7 +237,7 @@ START_TEST(no_memory_leaves_nothing_behind)
   uint64_t seed = 14;
   size_t failures = 0;
   for (int round = 0; round < 12; round++) {
-    faces f = round < 6 ? make_shape((shape)round, 4, round % 2, 1) : draw_faces(&seed, 14, 40, 3 + (size_t)round % 3);
+    face_list f = round < 6 ? make_shape((shape)round, 4, round % 2, 1) : draw_faces(&seed, 14, 40, 3 + (size_t)round % 3);
     uint16_t labels[64] = {0, 1, 2, 3, 0, 1, 2, 3};
     gmds_status status = GMDS_ERR_MEMORY;
     gmds_memory_init(&memory, &allocator);
@@ -333,7 +333,7 @@ END_TEST
 START_TEST(generators_make_a_mesh)
 {
   begin();
-  faces f = make_shape(TORUS, 5, 0, 0);
+  face_list f = make_shape(TORUS, 5, 0, 0);
   double points[108];
   for (int k = 0; k < 108; k++)
     points[k] = k;
