@@ -5,8 +5,8 @@
  *     m        any mesh of faces; its nodes keep their numbers
  *     threads  from 1 to GMDS_MAX_THREADS
  *     error    receives the sentence of a failure; may be NULL
- *     surface  initialised and empty (surface.h); receives the faces, numbered without holes
- *     faces    receives the face of the mesh that each of them is; its memory is the caller's
+ *     surface  initialised and empty (surface.h); receives the faces, listed without holes
+ *     faces    receives the face of the mesh that each in the list is; its memory is the caller's
  *   Statuses as gmds_surface_from_faces; both stay as they are on failure. O(mesh).
  *
  *   <prefix>_homology(m, options, homology)
@@ -48,7 +48,8 @@ static inline gmds_status get_surface(mesh *m, unsigned threads, gmds_error *err
     live.data[live.n++] = f;
   }
   if (status == GMDS_OK)
-    status = gmds_surface_from_faces(surface, end_0(m), live.n, live.n ? nodes.begin : NULL, nodes.data, threads, error);
+    status =
+        gmds_surface_from_faces(surface, end_0(m), live.n, live.n ? nodes.begin : NULL, nodes.data, threads, error);
   gmds_csr_clear(&nodes);
   if (status != GMDS_OK) {
     gmds_ids_clear(&live);
@@ -70,7 +71,7 @@ static inline gmds_status homology(mesh *m, const gmds_homology_options *options
   if (status == GMDS_OK)
     status = gmds_homology_of(&surface, options, result);
   for (size_t k = 0; status == GMDS_OK && result->h2.n && k < result->h2.begin[result->h2.n]; k++)
-    result->h2.data[k] = faces.data[result->h2.data[k]];
+    result->h2.data[k] = faces.data[gmds_surface_listed(&surface, result->h2.data[k])];
   gmds_surface_clear(&surface);
   gmds_ids_clear(&faces);
   return status;

@@ -73,13 +73,14 @@ static size_t merge_critical(gmds_simplification *w, int border)
 {
   const gmds_surface *s = w->s;
   size_t n = 0;
-  for (gmds_id d = next_critical(w->edge, 0, s->n_darts); d < s->n_darts; d = next_critical(w->edge, d + 1, s->n_darts)) {
+  for (gmds_id d = next_critical(w->edge, 0, s->n_darts); d < s->n_darts;
+       d = next_critical(w->edge, d + 1, s->n_darts)) {
     const gmds_id e = s->beta2[d];
     if ((e == GMDS_NONE) != border)
       continue;
     /* beyond the border is one face more. Each component meets it once, and no two meet there: they share no edge. */
-    const int merged = gmds_homology_merge(w->root, gmds_surface_face(s, d),
-                                           border ? (gmds_id)s->n_faces : gmds_surface_face(s, e));
+    const int merged =
+        gmds_homology_merge(w->root, gmds_surface_face(s, d), border ? (gmds_id)s->n_faces : gmds_surface_face(s, e));
     w->edge[d] = merged ? GMDS_EDGE_GONE : GMDS_EDGE_KEPT;
     n += (size_t)merged;
   }

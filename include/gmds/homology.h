@@ -63,7 +63,7 @@ typedef struct gmds_homology {
   gmds_ids h0; /* the lowest vertex of each component */
   gmds_csr h1; /* row k: the vertices of a closed chain of edges of the surface, each joined with the next and the last
                    with the first, none twice; betti[1] rows */
-  gmds_csr h2; /* row k: the faces of a component without border; betti[2] rows */
+  gmds_csr h2; /* row k: faces that are joined across edges and have no border among them; betti[2] rows */
 } gmds_homology;
 
 /* An empty result, whose lists take their memory from `memory`. Allocates nothing. */

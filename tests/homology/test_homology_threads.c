@@ -77,7 +77,7 @@ START_TEST(drawn_surfaces)
   for (int round = 0; round < 60; round++) {
     const size_t n = 3 + random_below(&seed, 400);
     face_list f = round % 3 ? draw_faces(&seed, n, 2 * n * n / 3 % 3000, 3 + (size_t)round % 3)
-                        : make_shape((shape)(round / 3 % N_SHAPES), 3 + (size_t)round % 20, round % 2, 1);
+                            : make_shape((shape)(round / 3 % N_SHAPES), 3 + (size_t)round % 20, round % 2, 1);
     gmds_surface s;
     gmds_surface_init(&s, &memory);
     ck_assert_int_eq(gmds_surface_from_faces(&s, f.n_vertices, f.n, f.begin, f.nodes, 1 + (unsigned)round % 7, NULL),
