@@ -40,16 +40,15 @@ static gmds_status collect(graph *g)
       g->vertex[next++] = v;
     }
   size_t edge = 0;
-  for (gmds_id d = 0; g->m && d < s->n_darts; d++) {
-    if (g->w->edge[d] != GMDS_EDGE_KEPT)
-      continue;
-    const gmds_id a = s->origin[d], b = s->origin[gmds_surface_beta1(s, d)];
-    if (spoke[a].degree && spoke[b].degree) {
-      g->ends[2 * edge] = spoke[a].darts;
-      g->ends[2 * edge + 1] = spoke[b].darts;
-      edge++;
+  for (size_t at = 0; g->m && at < g->w->n_edges; at += GMDS_EDGES_AT_ONCE)
+    for (uint64_t kept = gmds_homology_eight(g->w->edge, at, GMDS_EDGE_KEPT); kept; kept &= kept - 1) {
+      const gmds_id d = gmds_homology_dart(at, kept), a = s->origin[d], b = s->origin[gmds_surface_beta1(s, d)];
+      if (spoke[a].degree && spoke[b].degree) {
+        g->ends[2 * edge] = spoke[a].darts;
+        g->ends[2 * edge + 1] = spoke[b].darts;
+        edge++;
+      }
     }
-  }
   return GMDS_OK;
 }
 

@@ -59,18 +59,17 @@ static void count_part(void *work, unsigned t)
   const gmds_id low = (gmds_id)GMDS_SHARE(s->n_vertices, t, p->threads);
   const gmds_id end = (gmds_id)GMDS_SHARE(s->n_vertices, t + 1, p->threads);
   memset(spoke + low, 0, (end - low) * sizeof *spoke);
-  for (gmds_id d = 0; d < s->n_darts; d++) {
-    if (edge[d] != GMDS_EDGE_KEPT)
-      continue;
-    const gmds_id a = s->origin[d], b = s->origin[gmds_surface_beta1(s, d)];
-    const int has_a = a >= low && a < end, has_b = b >= low && b < end;
-    if (has_a)
-      add_end(spoke, a, d);
-    if (has_b)
-      add_end(spoke, b, d);
-    if (has_a != has_b)
-      room[share_of(p, has_a ? b : a)]++;
-  }
+  for (size_t at = 0; at < p->w->n_edges; at += GMDS_EDGES_AT_ONCE)
+    for (uint64_t kept = gmds_homology_eight(edge, at, GMDS_EDGE_KEPT); kept; kept &= kept - 1) {
+      const gmds_id d = gmds_homology_dart(at, kept), a = s->origin[d], b = s->origin[gmds_surface_beta1(s, d)];
+      const int has_a = a >= low && a < end, has_b = b >= low && b < end;
+      if (has_a)
+        add_end(spoke, a, d);
+      if (has_b)
+        add_end(spoke, b, d);
+      if (has_a != has_b)
+        room[share_of(p, has_a ? b : a)]++;
+    }
   size_t tail = low, used = 0;
   for (gmds_id v = low; v < end; v++) {
     used += spoke[v].degree > 0;

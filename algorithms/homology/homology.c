@@ -75,9 +75,13 @@ static gmds_status take_arrays(gmds_simplification *w)
   if (!gmds_resize(w->memory, &root, 0, w->s->n_faces + 1, sizeof *w->root))
     return GMDS_ERR_MEMORY;
   w->root = root;
-  if (!gmds_resize(w->memory, &edge, 0, w->s->n_darts, sizeof *w->edge))
+  const size_t n = w->s->n_darts, n_edges = (n + GMDS_EDGES_AT_ONCE - 1) / GMDS_EDGES_AT_ONCE * GMDS_EDGES_AT_ONCE;
+  if (!gmds_resize(w->memory, &edge, 0, n_edges, sizeof *w->edge))
     return GMDS_ERR_MEMORY;
   w->edge = edge;
+  w->n_edges = n_edges;
+  if (n_edges > n)
+    memset(w->edge + n, GMDS_EDGE_GONE, n_edges - n);
   return GMDS_OK;
 }
 
@@ -123,7 +127,7 @@ gmds_status gmds_homology_of(const gmds_surface *surface, const gmds_homology_op
   if (status == GMDS_ERR_MEMORY)
     gmds_fail(o.error, status, "out of memory for the homology of %zu faces", surface->n_faces);
   gmds_release(memory, w.spoke, w.spoke ? surface->n_vertices : 0, sizeof *w.spoke);
-  gmds_release(memory, w.edge, w.edge ? surface->n_darts : 0, sizeof *w.edge);
+  gmds_release(memory, w.edge, w.n_edges, sizeof *w.edge);
   gmds_release(memory, w.root, w.root ? surface->n_faces + 1 : 0, sizeof *w.root);
   drop_clusters(&w);
   if (status != GMDS_OK) {

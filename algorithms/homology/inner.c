@@ -2,7 +2,6 @@
  * union-find of faces tells in nearly constant time. Clusters share no face, so that threads never meet (1a); the edges
  * between clusters follow in one pass (1b). */
 #include "simplify.h"
-#include <string.h>
 
 /* Deals with the edge of dart d of face f, if d is its lower dart. */
 static inline size_t visit_edge(const gmds_simplification *w, gmds_id d, gmds_id f, int clusters)
@@ -57,33 +56,22 @@ void gmds_homology_inner(gmds_simplification *w, gmds_homology *h)
     h->inner += w->merged[t];
 }
 
-/* The next dart from d on whose edge is critical, or n. Few are: first eight are looked at at once. */
-static gmds_id next_critical(const uint8_t *edge, gmds_id d, size_t n)
-{
-  uint64_t eight, critical = GMDS_EDGE_CRITICAL * UINT64_C(0x0101010101010101);
-  while (d + 8 <= n && !(memcpy(&eight, edge + d, 8), eight & critical))
-    d += 8;
-  while (d < n && edge[d] != GMDS_EDGE_CRITICAL)
-    d++;
-  return d;
-}
-
 /* Merges the faces of the critical edges that have two, or one. How many it merged. */
 static size_t merge_critical(gmds_simplification *w, int border)
 {
   const gmds_surface *s = w->s;
   size_t n = 0;
-  for (gmds_id d = next_critical(w->edge, 0, s->n_darts); d < s->n_darts;
-       d = next_critical(w->edge, d + 1, s->n_darts)) {
-    const gmds_id e = s->beta2[d];
-    if ((e == GMDS_NONE) != border)
-      continue;
-    /* beyond the border is one face more. Each component meets it once, and no two meet there: they share no edge. */
-    const int merged =
-        gmds_homology_merge(w->root, gmds_surface_face(s, d), border ? (gmds_id)s->n_faces : gmds_surface_face(s, e));
-    w->edge[d] = merged ? GMDS_EDGE_GONE : GMDS_EDGE_KEPT;
-    n += (size_t)merged;
-  }
+  for (size_t at = 0; at < w->n_edges; at += GMDS_EDGES_AT_ONCE)
+    for (uint64_t eight = gmds_homology_eight(w->edge, at, GMDS_EDGE_CRITICAL); eight; eight &= eight - 1) {
+      const gmds_id d = gmds_homology_dart(at, eight), e = s->beta2[d];
+      if ((e == GMDS_NONE) != border)
+        continue;
+      /* beyond the border is one face more; each component meets it once, and no two meet there: they share no edge */
+      const gmds_id beyond = border ? (gmds_id)s->n_faces : gmds_surface_face(s, e);
+      const int merged = gmds_homology_merge(w->root, gmds_surface_face(s, d), beyond);
+      w->edge[d] = merged ? GMDS_EDGE_GONE : GMDS_EDGE_KEPT;
+      n += (size_t)merged;
+    }
   return n;
 }
 

@@ -6,9 +6,10 @@
 #include <gmds/homology.h>
 #include <gmds/template.h>
 #include <gmds/threads.h>
+#include <string.h>
 
-/* What is known of an edge, beside the lower one of its darts. */
-enum { GMDS_EDGE_GONE, GMDS_EDGE_KEPT, GMDS_EDGE_CRITICAL };
+/* What is known of an edge, beside the lower one of its darts: a byte, of which eight are looked at at once. */
+enum { GMDS_EDGE_GONE, GMDS_EDGE_KEPT, GMDS_EDGE_CRITICAL, GMDS_EDGES_AT_ONCE = 8 };
 
 /* A vertex in the graph of the edges that are kept: how many ends of edges it has, and their darts, added up by exclusive or:
  * of a vertex with one edge that is the edge, and no list of edges is needed. */
@@ -29,7 +30,8 @@ typedef struct gmds_simplification {
   uint16_t *cluster; /* of each face; NULL: there is one */
   uint16_t *worker;  /* of each cluster the thread that has it */
   gmds_id *root;     /* union-find of faces, then of one that stands for what is beyond the border */
-  uint8_t *edge;     /* n_darts: what is known of the edge whose lower dart this is */
+  uint8_t *edge;     /* n_edges: what is known of the edge whose lower dart this is */
+  size_t n_edges;    /* n_darts, and what lacks to eight; those are gone */
   gmds_spoke *spoke; /* n_vertices */
   size_t merged[GMDS_MAX_THREADS], dangling[GMDS_MAX_THREADS];
 } gmds_simplification;
@@ -47,6 +49,22 @@ gmds_status gmds_homology_dangling(gmds_simplification *w, gmds_homology *h);
 
 /* Step 3 and the generators. */
 gmds_status gmds_homology_contract(gmds_simplification *w, int generators, gmds_homology *h);
+
+/* Of eight edges from that of dart d on, those in a state: bits that gmds_homology_dart tells, lowest first. */
+static inline uint64_t gmds_homology_eight(const uint8_t *edge, size_t d, unsigned state)
+{
+  uint64_t eight;
+  memcpy(&eight, edge + d, GMDS_EDGES_AT_ONCE);
+#if defined __BYTE_ORDER__ && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+  eight = __builtin_bswap64(eight);
+#endif
+  return eight & state * UINT64_C(0x0101010101010101);
+}
+
+static inline gmds_id gmds_homology_dart(size_t d, uint64_t eight)
+{
+  return (gmds_id)(d + (size_t)__builtin_ctzll(eight) / 8);
+}
 
 /* The face (or vertex) that stands for those merged with f. Paths are halved on the way. */
 static inline gmds_id gmds_homology_find(gmds_id *root, gmds_id f)
