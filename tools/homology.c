@@ -52,12 +52,10 @@ static int read_clusters(const char *text, gmds_homology_options *o, unsigned *b
   const size_t n = colon ? (size_t)(colon - text) : strlen(text);
   unsigned long number = 0;
   if (strcmp(text, "one") == 0)
-    o->clustering = GMDS_ONE_CLUSTER;
-  else if (n == 6 && strncmp(text, "ranges", n) == 0 && (!colon || read_number(colon + 1, 1, 65536, &number)))
-    o->clustering = GMDS_BY_RANGES;
+    number = 1;
   else if (n == 4 && strncmp(text, "grid", n) == 0 && (!colon || read_number(colon + 1, 1, 40, &number)))
     o->clustering = GMDS_BY_LABELS;
-  else
+  else if (n != 6 || strncmp(text, "ranges", n) != 0 || (colon && !read_number(colon + 1, 1, 65536, &number)))
     return 0;
   o->ranges = *boxes = (unsigned)number;
   return 1;
@@ -97,12 +95,12 @@ static gmds_status write_generators(const char *path, const gmds_surface *s, con
 
 static int run(const verb *v, int argc, char **argv)
 {
-  const char *input = NULL, *threads = "1", *clusters = "grid", *generators = NULL;
+  const char *input = NULL, *threads = "1", *clusters = "ranges", *generators = NULL;
   int json = 0;
   const option options[] = {
       {"threads", 0, &threads, NULL, "T  threads (default 1)"},
       {"clusters", 0, &clusters, NULL,
-       "one | ranges[:N] | grid[:N]  how faces are dealt (default grid, of 8 boxes an axis)"},
+       "one | ranges[:N] | grid[:N]  how faces are dealt (default ranges, of 64; grid: 8 boxes an axis)"},
       {"generators", 0, &generators, NULL, "FILE  where the generators go: .vtk .vtu, vertices, edges and faces"},
       {"json", 0, NULL, &json, "print one JSON object"}};
   int code = read_arguments(v, argc, argv, options, 4, &input, 1, 1);

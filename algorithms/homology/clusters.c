@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { RANGES = 512, MOST_LABELS = 65536, BOXES = 8, MOST_BOXES = 40 };
+enum { RANGES = 64, MOST_LABELS = 65536, BOXES = 8, MOST_BOXES = 40 };
 
 typedef struct boxing {
   const double *points;
@@ -111,36 +111,23 @@ static gmds_status deal_labels(gmds_simplification *w, const uint16_t *labels)
   return GMDS_OK;
 }
 
-static void deal_ranges(gmds_simplification *w)
-{
-  const size_t n = w->s->n_faces;
-  for (size_t c = 0; c < w->n_clusters; c++) {
-    w->worker[c] = (uint16_t)(c * w->threads / w->n_clusters);
-    for (size_t f = GMDS_SHARE(n, c, w->n_clusters); f < GMDS_SHARE(n, c + 1, w->n_clusters); f++)
-      w->cluster[f] = (uint16_t)c;
-  }
-}
-
 gmds_status gmds_homology_clusters(gmds_simplification *w, const gmds_homology_options *o)
 {
-  const size_t ranges = o->ranges ? o->ranges : RANGES;
   void *cluster = NULL, *worker = NULL;
-  if (o->clustering == GMDS_ONE_CLUSTER)
-    return GMDS_OK;
-  if (o->clustering == GMDS_BY_RANGES ? ranges > MOST_LABELS : o->clustering != GMDS_BY_LABELS || !o->labels)
-    return gmds_fail(o->error, GMDS_ERR_ARGUMENT, "clusters are one, at most %d ranges, or by labels of vertices",
+  if (o->clustering == GMDS_BY_RANGES ? o->ranges > MOST_LABELS : o->clustering != GMDS_BY_LABELS || !o->labels)
+    return gmds_fail(o->error, GMDS_ERR_ARGUMENT, "clusters are at most %d ranges, or by labels of vertices",
                      MOST_LABELS);
+  w->n_clusters = o->ranges ? o->ranges : RANGES;
+  if (o->clustering == GMDS_BY_RANGES)
+    return GMDS_OK;
+  w->n_clusters = 1;
+  for (size_t v = 0; v < w->s->n_vertices; v++)
+    w->n_clusters = o->labels[v] < w->n_clusters ? w->n_clusters : (size_t)o->labels[v] + 1;
   if (!gmds_resize(w->memory, &cluster, 0, w->s->n_faces, sizeof *w->cluster))
     return GMDS_ERR_MEMORY;
   w->cluster = cluster;
-  w->n_clusters = o->clustering == GMDS_BY_RANGES ? ranges : 1;
-  for (size_t v = 0; o->clustering == GMDS_BY_LABELS && v < w->s->n_vertices; v++)
-    w->n_clusters = o->labels[v] < w->n_clusters ? w->n_clusters : (size_t)o->labels[v] + 1;
   if (!gmds_resize(w->memory, &worker, 0, w->n_clusters, sizeof *w->worker))
     return GMDS_ERR_MEMORY;
   w->worker = worker;
-  if (o->clustering == GMDS_BY_LABELS)
-    return deal_labels(w, o->labels);
-  deal_ranges(w);
-  return GMDS_OK;
+  return deal_labels(w, o->labels);
 }

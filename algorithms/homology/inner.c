@@ -3,8 +3,20 @@
  * between clusters follow in one pass (1b). */
 #include "simplify.h"
 
+/* The faces of a cluster: a range, or among all those with a label. */
+typedef struct part {
+  gmds_id first, end;
+  int labelled;
+  uint16_t label;
+} part;
+
+static inline int is_in(const gmds_simplification *w, const part *p, gmds_id f)
+{
+  return p->labelled ? w->cluster[f] == p->label : f - p->first < p->end - p->first;
+}
+
 /* Deals with the edge of dart d of face f, if d is its lower dart. */
-static inline size_t visit_edge(const gmds_simplification *w, gmds_id d, gmds_id f, int clusters)
+static inline size_t visit_edge(const gmds_simplification *w, const part *p, gmds_id d, gmds_id f)
 {
   const gmds_surface *s = w->s;
   const gmds_id e = s->beta2[d];
@@ -13,26 +25,35 @@ static inline size_t visit_edge(const gmds_simplification *w, gmds_id d, gmds_id
     return 0;
   }
   const gmds_id g = gmds_surface_face(s, e);
-  if (clusters && w->cluster[g] != w->cluster[f]) {
+  if (!is_in(w, p, g)) {
     w->edge[d] = GMDS_EDGE_CRITICAL;
     return 0;
   }
-  int merged = gmds_homology_merge(w->root, f, g);
+  const int merged = gmds_homology_merge(w->root, f, g);
   w->edge[d] = merged ? GMDS_EDGE_GONE : GMDS_EDGE_KEPT;
   return (size_t)merged;
 }
 
-/* The loop of all faces, compiled for one thread and for several, for triangles and for other faces. */
-GMDS_SPECIALISED size_t visit_faces(const gmds_simplification *w, unsigned t, int clusters, int triangles)
+/* The edges of the faces of thread t, compiled for ranges and for labels, for triangles and for other faces. */
+GMDS_SPECIALISED size_t visit_faces(const gmds_simplification *w, unsigned t, int labelled, int triangles)
 {
   const gmds_surface *s = w->s;
+  const size_t n = w->n_clusters;
+  const size_t from = labelled ? 0 : GMDS_SHARE(n, t, w->threads), to = labelled ? 1 : GMDS_SHARE(n, t + 1, w->threads);
   size_t merged = 0;
-  for (gmds_id f = 0; f < s->n_faces; f++) {
-    if (clusters && w->worker[w->cluster[f]] != t)
-      continue;
-    const gmds_id first = triangles ? 3 * f : s->begin[f], end = triangles ? first + 3 : s->begin[f + 1];
-    for (gmds_id d = first; d < end; d++)
-      merged += visit_edge(w, d, f, clusters);
+  for (size_t c = from; c < to; c++) {
+    const gmds_id begin = (gmds_id)(labelled ? 0 : GMDS_SHARE(s->n_faces, c, n));
+    part p = {begin, (gmds_id)(labelled ? s->n_faces : GMDS_SHARE(s->n_faces, c + 1, n)), labelled, 0};
+    for (gmds_id f = begin; f < p.end; f++) {
+      if (labelled) {
+        p.label = w->cluster[f];
+        if (w->worker[p.label] != t)
+          continue;
+      }
+      const gmds_id first = triangles ? 3 * f : s->begin[f], end = triangles ? first + 3 : s->begin[f + 1];
+      for (gmds_id d = first; d < end; d++)
+        merged += visit_edge(w, &p, d, f);
+    }
   }
   return merged;
 }
@@ -50,9 +71,8 @@ void gmds_homology_inner(gmds_simplification *w, gmds_homology *h)
 {
   for (size_t f = 0; f <= w->s->n_faces; f++)
     w->root[f] = (gmds_id)f;
-  const unsigned threads = w->cluster ? w->threads : 1;
-  gmds_share(threads, visit_part, w);
-  for (unsigned t = 0; t < threads; t++)
+  gmds_share(w->threads, visit_part, w);
+  for (unsigned t = 0; t < w->threads; t++)
     h->inner += w->merged[t];
 }
 
@@ -77,7 +97,7 @@ static size_t merge_critical(gmds_simplification *w, int border)
 
 void gmds_homology_critical(gmds_simplification *w, gmds_homology *h)
 {
-  if (w->cluster)
+  if (w->n_clusters > 1)
     h->critical = merge_critical(w, 0);
   if (w->s->n_border)
     h->border = merge_critical(w, 1);

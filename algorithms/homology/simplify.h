@@ -27,8 +27,8 @@ typedef struct gmds_simplification {
   gmds_memory *memory;
   unsigned threads;
   size_t n_clusters;
-  uint16_t *cluster; /* of each face; NULL: there is one */
-  uint16_t *worker;  /* of each cluster the thread that has it */
+  uint16_t *cluster; /* of each face; NULL: clusters are ranges of faces */
+  uint16_t *worker;  /* of each cluster the thread that has it; NULL where clusters are ranges */
   gmds_id *root;     /* union-find of faces, then of one that stands for what is beyond the border */
   uint8_t *edge;     /* n_edges: what is known of the edge whose lower dart this is */
   size_t n_edges;    /* n_darts, and what lacks to eight; those are gone */

@@ -20,9 +20,8 @@ extern "C" {
 /* How faces are dealt to clusters, within which edges are removed in parallel. Counts of removed edges and generators
  * depend on the clusters, and on the number of threads in no way. */
 typedef enum gmds_clustering {
-  GMDS_ONE_CLUSTER, /* the sequential algorithm: one thread removes all inner edges */
-  GMDS_BY_RANGES,   /* as many faces in a row for each: for faces that lie near each other where their numbers do */
-  GMDS_BY_LABELS    /* a face belongs to the lowest of the labels of its vertices: gmds_grid_labels, or the caller's */
+  GMDS_BY_RANGES, /* as many faces in a row for each; one range is the sequential algorithm, by one thread */
+  GMDS_BY_LABELS  /* a face belongs to the lowest of the labels of its vertices: gmds_grid_labels, or the caller's */
 } gmds_clustering;
 
 typedef enum gmds_homology_step {
@@ -37,7 +36,7 @@ typedef enum gmds_homology_step {
 typedef struct gmds_homology_options {
   unsigned threads; /* 0 counts as 1 */
   gmds_clustering clustering;
-  unsigned ranges; /* GMDS_BY_RANGES: how many, up to 65536; 0: 512 */
+  unsigned ranges; /* GMDS_BY_RANGES: how many, up to 65536; 0: 64 */
   const uint16_t
       *labels;    /* GMDS_BY_LABELS: one for each vertex of the surface; may be freed when the clusters are dealt */
   int generators; /* whether they are wanted */
@@ -54,7 +53,7 @@ typedef struct gmds_homology {
   int closed;     /* every edge has two faces */
   int orientable; /* the faces can be turned so that no two run the same way along an edge */
   size_t betti[3];
-  size_t inner;      /* edges removed inside clusters: step 1a (all inner edges with one cluster) */
+  size_t inner;      /* edges removed inside clusters: step 1a (all inner edges with one range) */
   size_t critical;   /* between clusters: step 1b */
   size_t border;     /* one edge of each component that has a border */
   size_t dangling;   /* step 2 */
@@ -77,7 +76,7 @@ gmds_status gmds_grid_labels(size_t n, int dim, const double *points, unsigned b
                              uint16_t *labels, gmds_error *error);
 
 /* Computes the homology of a surface into `homology` (initialised and empty), whose memory all working space comes from.
- * options: may be NULL: one thread, one cluster, no generators. GMDS_OK; GMDS_ERR_ARGUMENT (an option out of its range); GMDS_ERR_MEMORY (the result stays empty). Nearly O(darts); H1 also
+ * options: may be NULL: one thread, 64 ranges, no generators. GMDS_OK; GMDS_ERR_ARGUMENT (an option out of its range); GMDS_ERR_MEMORY (the result stays empty). Nearly O(darts); H1 also
  * takes the length of its chains. */
 gmds_status gmds_homology_of(const gmds_surface *surface, const gmds_homology_options *options,
                              gmds_homology *homology);

@@ -77,10 +77,10 @@ static void check_faces(const face_list *f, uint64_t *seed)
   uint16_t *labels = malloc((f->n_vertices + 1) * sizeof *labels);
   check_surface(f, &s, &t);
   for (int way = 0; way < 6; way++) {
-    static const unsigned ranges[] = {0, 1, 2, 7, 300, 0};
+    static const unsigned ranges[] = {1, 1, 2, 7, 300, 0};
     gmds_homology_options o = {
         .threads = 1 + (unsigned)way % 3, .ranges = ranges[way], .labels = labels, .generators = 1};
-    o.clustering = way == 0 ? GMDS_ONE_CLUSTER : way == 5 ? GMDS_BY_LABELS : GMDS_BY_RANGES;
+    o.clustering = way == 5 ? GMDS_BY_LABELS : GMDS_BY_RANGES;
     for (size_t v = 0; v < f->n_vertices; v++)
       labels[v] = (uint16_t)random_below(seed, 5);
     gmds_homology h;
@@ -215,7 +215,7 @@ START_TEST(options_out_of_range_are_refused)
   const gmds_homology_options wrong[] = {{.threads = GMDS_MAX_THREADS + 1, .error = &error},
                                          {.clustering = GMDS_BY_RANGES, .ranges = 65537, .error = &error},
                                          {.clustering = GMDS_BY_LABELS, .error = &error},
-                                         {.clustering = (gmds_clustering)3, .error = &error}};
+                                         {.clustering = (gmds_clustering)2, .error = &error}};
   gmds_homology_init(&h, &memory);
   for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
     error.text[0] = 0;
@@ -288,7 +288,8 @@ START_TEST(no_memory_leaves_nothing_behind)
       gmds_homology h;
       gmds_error error = {.status = GMDS_OK};
       const gmds_homology_options o = {.threads = 1 + (unsigned)round % 3,
-                                       .clustering = (gmds_clustering)(round % 3),
+                                       .clustering = round % 3 == 2 ? GMDS_BY_LABELS : GMDS_BY_RANGES,
+                                       .ranges = (unsigned)round % 3,
                                        .labels = labels,
                                        .generators = 1,
                                        .error = &error};

@@ -63,8 +63,11 @@ static void check_file(const char *path, const file *f)
   ck_assert_int_eq(gmds_grid_labels(soup.n_points, 3, soup.points, 8, 2, labels, NULL), GMDS_OK);
   ck_assert_msg(gmds_surface_take_soup(&s, &soup, 2, &error) == GMDS_OK, "%s: %s", path, error.text);
   for (int way = 0; way < 3; way++) {
-    const gmds_homology_options o = {
-        .threads = 2, .clustering = (gmds_clustering)way, .labels = labels, .generators = 1};
+    const gmds_homology_options o = {.threads = 2,
+                                     .clustering = way == 2 ? GMDS_BY_LABELS : GMDS_BY_RANGES,
+                                     .ranges = (unsigned)way,
+                                     .labels = labels,
+                                     .generators = 1};
     gmds_homology h;
     gmds_homology_init(&h, &memory);
     ck_assert_int_eq(gmds_homology_of(&s, &o, &h), GMDS_OK);

@@ -39,7 +39,7 @@ static void check_threads(const gmds_surface *s, gmds_homology_options o)
 
 static void check_clusterings(const gmds_surface *s, const uint16_t *labels)
 {
-  check_threads(s, (gmds_homology_options){.clustering = GMDS_ONE_CLUSTER});
+  check_threads(s, (gmds_homology_options){.clustering = GMDS_BY_RANGES, .ranges = 1});
   check_threads(s, (gmds_homology_options){.clustering = GMDS_BY_RANGES});
   check_threads(s, (gmds_homology_options){.clustering = GMDS_BY_LABELS, .labels = labels});
 }
