@@ -1,5 +1,5 @@
-/* The homology of a surface, and the surface of a mesh as a 2-map at rest. One text for every model that answers 2 -> 0 in
- * order, or holds triangles only.
+/* The homology of a surface, and the surface of a mesh as a 2-map at rest. One text for every model that answers 2 -> 0
+ * in order, or holds triangles only.
  *
  *   <prefix>_get_surface(m, threads, error, surface, faces)
  *     m        any mesh of faces; its nodes keep their numbers
@@ -12,8 +12,8 @@
  *   <prefix>_homology(m, options, homology)
  *     options   as gmds_homology_of (homology.h); labels are one for each of end_0 nodes; may be NULL
  *     homology  initialised and empty; receives numbers and generators, in nodes and faces of the mesh
- *   Statuses as gmds_surface_from_faces and gmds_homology_of; it stays empty on failure. Working space comes from the mesh's
- *   memory. Nearly O(mesh); H1 also takes the length of its chains.
+ *   Statuses as gmds_surface_from_faces and gmds_homology_of; it stays empty on failure. Working space comes from the
+ *   mesh's memory. Nearly O(mesh); H1 also takes the length of its chains.
  *   Source: [homology] Algorithm 1. */
 #ifndef GMDS__OPEN
 #  error "gmds: include <gmds/mesh.h> for a model before <gmds/algorithms/homology.h>"

@@ -61,8 +61,8 @@ static int read_clusters(const char *text, gmds_homology_options *o, unsigned *b
   return 1;
 }
 
-/* The surface of a soup, and its labels in a grid where they are wanted: then the points go, unless generators need them,
- * before there is anything else. */
+/* The surface of a soup, and its labels in a grid where they are wanted: then the points go, unless generators need
+ * them, before there is anything else. */
 static gmds_status build(gmds_soup *soup, unsigned boxes, gmds_homology_options *o, uint16_t **labels, size_t *n_labels,
                          gmds_surface *surface)
 {

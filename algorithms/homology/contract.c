@@ -103,8 +103,8 @@ static gmds_id above(const graph *g, gmds_id v)
   return g->ends[2 * (size_t)e] == v ? g->ends[2 * (size_t)e + 1] : g->ends[2 * (size_t)e];
 }
 
-/* The chain that edge e closes: from its first end up to where the ways to the root meet, and down to its second end. Its
- * length; vertices are written where `chain` is not NULL. */
+/* The chain that edge e closes: from its first end up to where the ways to the root meet, and down to its second end.
+ * Its length; vertices are written where `chain` is not NULL. */
 static size_t close_chain(const graph *g, size_t e, gmds_id *chain)
 {
   gmds_id a = g->ends[2 * e], b = g->ends[2 * e + 1];
@@ -180,7 +180,8 @@ static gmds_status make_cycles(const gmds_simplification *w, gmds_csr *h2)
   return status;
 }
 
-/* The lowest vertex of each component, by a union-find over all edges: what is left by chance depends on the threads. */
+/* The lowest vertex of each component, by a union-find over all edges: what is left by chance depends on the
+ * threads. */
 static gmds_status make_points(const gmds_simplification *w, gmds_ids *h0)
 {
   const gmds_surface *s = w->s;

@@ -1,9 +1,9 @@
-/* Step 2: removal of dangling edges, that is, peeling the leaves of the graph of kept edges. What is left at the end (the
- * 2-core) does not depend on the order.
+/* Step 2: removal of dangling edges, that is, peeling the leaves of the graph of kept edges. What is left at the end
+ * (the 2-core) does not depend on the order.
  *
- * The paper locks vertices and follows each path of dangling edges. Here each thread has a share of the vertices, takes its
- * leaves first in, first out (a path followed to its end is a chain of cache misses), and tells the others what their
- * vertices have lost; when little is left to tell, one thread ends the work. No lock, no atomic. */
+ * The paper locks vertices and follows each path of dangling edges. Here each thread has a share of the vertices, takes
+ * its leaves first in, first out (a path followed to its end is a chain of cache misses), and tells the others what
+ * their vertices have lost; when little is left to tell, one thread ends the work. No lock, no atomic. */
 #include "simplify.h"
 #include <string.h>
 
@@ -119,8 +119,8 @@ static void peel_part(void *work, unsigned t)
   p->w->dangling[t] += dangling;
 }
 
-/* What share t was told, into its queue. Where both ends of an edge took it away at once, it is counted once, and its lower
- * end is the last vertex of the tree. */
+/* What share t was told, into its queue. Where both ends of an edge took it away at once, it is counted once, and its
+ * lower end is the last vertex of the tree. */
 static void hear_part(void *work, unsigned t)
 {
   peeling *p = work;
@@ -158,7 +158,8 @@ static gmds_status take_losses(peeling *p, size_t *n_losses)
   return GMDS_OK;
 }
 
-/* Rounds: all peel, then all hear. With little to tell the rounds go on by one thread, which costs no start of others. */
+/* Rounds: all peel, then all hear. With little to tell the rounds go on by one thread, which costs no start of
+ * others. */
 static void peel_all(peeling *p)
 {
   const size_t pairs = (size_t)p->threads * p->threads;

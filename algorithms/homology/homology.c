@@ -18,8 +18,8 @@ void gmds_homology_clear(gmds_homology *h)
   gmds_homology_init(h, memory);
 }
 
-/* Whether the faces can be turned so that no two run the same way along an edge: each face that is reached from a first one
- * is turned as the one before it demands. *orientable. GMDS_OK or GMDS_ERR_MEMORY. O(darts). */
+/* Whether the faces can be turned so that no two run the same way along an edge: each face that is reached from a first
+ * one is turned as the one before it demands. *orientable. GMDS_OK or GMDS_ERR_MEMORY. O(darts). */
 static gmds_status find_orientable(const gmds_surface *s, gmds_memory *memory, int *orientable)
 {
   const size_t n = s->n_faces;

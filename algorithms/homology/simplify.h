@@ -11,8 +11,8 @@
 /* What is known of an edge, beside the lower one of its darts: a byte, of which eight are looked at at once. */
 enum { GMDS_EDGE_GONE, GMDS_EDGE_KEPT, GMDS_EDGE_CRITICAL, GMDS_EDGES_AT_ONCE = 8 };
 
-/* A vertex in the graph of the edges that are kept: how many ends of edges it has, and their darts, added up by exclusive or:
- * of a vertex with one edge that is the edge, and no list of edges is needed. */
+/* A vertex in the graph of the edges that are kept: how many ends of edges it has, and their darts, added up by
+ * exclusive or: of a vertex with one edge that is the edge, and no list of edges is needed. */
 typedef struct gmds_spoke {
   gmds_id degree, darts;
 } gmds_spoke;
@@ -43,8 +43,8 @@ gmds_status gmds_homology_clusters(gmds_simplification *w, const gmds_homology_o
 void gmds_homology_inner(gmds_simplification *w, gmds_homology *h);
 void gmds_homology_critical(gmds_simplification *w, gmds_homology *h);
 
-/* Step 2, and how many vertices have faces. Afterwards a vertex that has edges left has a degree; the last one of a tree has
- * none, and no darts; the others have none, and GMDS_NONE for darts. GMDS_OK or GMDS_ERR_MEMORY. */
+/* Step 2, and how many vertices have faces. Afterwards a vertex that has edges left has a degree; the last one of a
+ * tree has none, and no darts; the others have none, and GMDS_NONE for darts. GMDS_OK or GMDS_ERR_MEMORY. */
 gmds_status gmds_homology_dangling(gmds_simplification *w, gmds_homology *h);
 
 /* Step 3 and the generators. */

@@ -1,5 +1,5 @@
-/* Building a surface: every dart looks for the one on the other side of its edge among those that wait at the lower vertex
- * of the edge. Those that wait are chained through their beta 2, which holds nothing yet. */
+/* Building a surface: every dart looks for the one on the other side of its edge among those that wait at the lower
+ * vertex of the edge. Those that wait are chained through their beta 2, which holds nothing yet. */
 #include <gmds/surface.h>
 #include <gmds/bits.h>
 #include <gmds/threads.h>
@@ -88,8 +88,8 @@ static void match_part(void *work, unsigned t)
   m->turned[t] = turned;
 }
 
-/* Takes the darts that still wait, chained by the lower vertex of their edges, for the border. If there are more than two
- * on an edge, one of them waits too: *third. O(vertices + darts) where there is a border. */
+/* Takes the darts that still wait, chained by the lower vertex of their edges, for the border. If there are more than
+ * two on an edge, one of them waits too: *third. O(vertices + darts) where there is a border. */
 static gmds_status close_border(gmds_surface *s, gmds_id *head, gmds_id *third)
 {
   gmds_id last = GMDS_NONE;
@@ -154,7 +154,8 @@ static gmds_status match_darts(gmds_surface *s, unsigned threads, gmds_error *er
   return GMDS_OK;
 }
 
-/* Whether faces that follow each other in the list are far apart: the mean distance of their first vertices is compared. */
+/* Whether faces that follow each other in the list are far apart: the mean distance of their first vertices is
+ * compared. */
 static int is_scattered(size_t n_vertices, size_t n_faces, const size_t *begin, const gmds_id *nodes)
 {
   uint64_t sum = 0;
@@ -175,8 +176,8 @@ static gmds_id lowest(const gmds_id *nodes, size_t n)
   return low;
 }
 
-/* The faces in the order of their lowest vertices: s->listed. Where neighbours lie near each other in memory, everything that
- * follows is three times as fast. */
+/* The faces in the order of their lowest vertices: s->listed. Where neighbours lie near each other in memory,
+ * everything that follows is three times as fast. */
 static gmds_status sort_faces(gmds_surface *s, const size_t *begin, const gmds_id *nodes)
 {
   void *listed = NULL, *at = NULL;

@@ -1,12 +1,12 @@
 /* Homology of a surface by simplification of its 2-map, in parallel ([homology], Algorithm 1).
  *
- * What is removed keeps the homology: an edge between two faces (they become one), an edge with an end that no other edge
- * has, and, by contraction, an edge between two vertices. What is left has a vertex for each component and a loop for each
- * generator of H1.
+ * What is removed keeps the homology: an edge between two faces (they become one), an edge with an end that no other
+ * edge has, and, by contraction, an edge between two vertices. What is left has a vertex for each component and a loop
+ * for each generator of H1.
  *
- * Beyond the paper: a surface may have a border. There one border edge of each component is removed with the face that is
- * left of it, so that no face remains. It may be pinched at vertices and need not be orientable: Betti numbers are those
- * over Z/2, which are those over the integers where it is orientable. */
+ * Beyond the paper: a surface may have a border. There one border edge of each component is removed with the face that
+ * is left of it, so that no face remains. It may be pinched at vertices and need not be orientable: Betti numbers are
+ * those over Z/2, which are those over the integers where it is orientable. */
 #ifndef GMDS_HOMOLOGY_H
 #define GMDS_HOMOLOGY_H
 
@@ -69,21 +69,23 @@ typedef struct gmds_homology {
 void gmds_homology_init(gmds_homology *homology, gmds_memory *memory);
 void gmds_homology_clear(gmds_homology *homology);
 
-/* The label of each of n points: its box in a grid of as many boxes along each axis over all of them ([homology] 4, where
- * it is 8). points: n × dim, row major; dim: 2 or 3; boxes: from 1 to 40, and 0 for 8; threads: from 1 to GMDS_MAX_THREADS.
- * GMDS_OK; GMDS_ERR_ARGUMENT (a number out of its range, or a coordinate that is not finite). O(n). */
+/* The label of each of n points: its box in a grid of as many boxes along each axis over all of them ([homology] 4,
+ * where it is 8). points: n × dim, row major; dim: 2 or 3; boxes: from 1 to 40, and 0 for 8; threads: from 1 to
+ * GMDS_MAX_THREADS. GMDS_OK; GMDS_ERR_ARGUMENT (a number out of its range, or a coordinate that is not finite).
+ * O(n). */
 gmds_status gmds_grid_labels(size_t n, int dim, const double *points, unsigned boxes, unsigned threads,
                              uint16_t *labels, gmds_error *error);
 
-/* Computes the homology of a surface into `homology` (initialised and empty), whose memory all working space comes from.
- * options: may be NULL: one thread, 64 ranges, no generators. GMDS_OK; GMDS_ERR_ARGUMENT (an option out of its range); GMDS_ERR_MEMORY (the result stays empty). Nearly O(darts); H1 also
- * takes the length of its chains. */
+/* Computes the homology of a surface into `homology` (initialised and empty), whose memory all working space comes
+ * from. options: may be NULL: one thread, 64 ranges, no generators. GMDS_OK; GMDS_ERR_ARGUMENT (an option out of its
+ * range); GMDS_ERR_MEMORY (the result stays empty). Nearly O(darts); H1 also takes the length of its chains. */
 gmds_status gmds_homology_of(const gmds_surface *surface, const gmds_homology_options *options,
                              gmds_homology *homology);
 
-/* The generators as a mesh over the points of the surface (n_vertices × 3, row major): vertices for H0, edges for H1, faces
- * for H2, with the attributes "dimension" and "generator", its number in its dimension. The soup is initialised, empty and
- * of dimension 3. GMDS_OK; GMDS_ERR_ARGUMENT (it is not); GMDS_ERR_TOO_MANY; GMDS_ERR_MEMORY (it stays empty). */
+/* The generators as a mesh over the points of the surface (n_vertices × 3, row major): vertices for H0, edges for H1,
+ * faces for H2, with the attributes "dimension" and "generator", its number in its dimension. The soup is initialised,
+ * empty and of dimension 3. GMDS_OK; GMDS_ERR_ARGUMENT (it is not); GMDS_ERR_TOO_MANY; GMDS_ERR_MEMORY (it stays
+ * empty). */
 gmds_status gmds_homology_to_soup(const gmds_surface *surface, const gmds_homology *homology, const double *points,
                                   gmds_soup *soup);
 

@@ -91,8 +91,8 @@ int gmds_format_holds(gmds_format format, const gmds_soup *soup, gmds_place plac
 gmds_status gmds_make_points(const char *spec, int dim, gmds_error *error, gmds_soup *soup);
 
 /* The surface that SPEC stands for, of points with three coordinates: `torus:N` (N >= 3: N² points, 2N² triangles),
- * `sphere:N` (N >= 2: 2N(N - 1) + 2 points, 4N(N - 1) triangles), all turned outwards, or the mesh of a file of any format.
- * Status, error and soup as gmds_read_soup; GMDS_ERR_ARGUMENT for a SPEC of the wrong form. */
+ * `sphere:N` (N >= 2: 2N(N - 1) + 2 points, 4N(N - 1) triangles), all turned outwards, or the mesh of a file of any
+ * format. Status, error and soup as gmds_read_soup; GMDS_ERR_ARGUMENT for a SPEC of the wrong form. */
 gmds_status gmds_make_surface(const char *spec, gmds_error *error, gmds_soup *soup);
 
 #ifdef __cplusplus

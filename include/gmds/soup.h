@@ -89,8 +89,8 @@ void gmds_soup_remove_attribute(gmds_soup *soup, gmds_place place, gmds_attribut
 /* Drops capacity beyond the content. */
 void gmds_soup_trim(gmds_soup *soup);
 
-/* Hands over the array of corners, cut to its length: *n of them, to be freed as such in the soup's memory. The soup has no
- * cell left, the columns beside cells are empty. O(n) at most. */
+/* Hands over the array of corners, cut to its length: *n of them, to be freed as such in the soup's memory. The soup
+ * has no cell left, the columns beside cells are empty. O(n) at most. */
 gmds_id *gmds_soup_give_corners(gmds_soup *soup, size_t *n);
 
 /* How many cells of dimension 0 to 3 there are. O(cells). */

@@ -1,6 +1,6 @@
-/* A surface as a 2-map at rest ([homology] 2.1): its darts are the corners of its faces, in the order in which the faces
- * list them. Beta 1 of a dart is the next corner of its face, beta 2 is stored: 8 bytes a dart where all faces are
- * triangles, else 12, and 4 a face. It is built in linear time and does not change; what homology works on. */
+/* A surface as a 2-map at rest ([homology] 2.1): its darts are the corners of its faces, in the order in which the
+ * faces list them. Beta 1 of a dart is the next corner of its face, beta 2 is stored: 8 bytes a dart where all faces
+ * are triangles, else 12, and 4 a face. It is built in linear time and does not change; what homology works on. */
 #ifndef GMDS_SURFACE_H
 #define GMDS_SURFACE_H
 
@@ -15,7 +15,7 @@ typedef struct gmds_surface {
   gmds_memory *memory;
   size_t n_vertices; /* vertices are numbered below, also those that no face has */
   size_t n_faces, n_darts;
-  gmds_id *listed; /* n_faces: the number of each face in the list that it was made from; NULL where they are the same */
+  gmds_id *listed; /* n_faces: the number of each face in the list it was made from; NULL where they are the same */
   gmds_id *begin;  /* n_faces + 1: face f has darts begin[f] to begin[f + 1] - 1; NULL: darts 3 f to 3 f + 2 */
   gmds_id *face;   /* n_darts: the face of each; NULL where begin is */
   gmds_id *origin; /* n_darts: the vertex that it leaves */
@@ -34,9 +34,9 @@ void gmds_surface_clear(gmds_surface *surface);
  * vertices (listed). threads: from 1 to GMDS_MAX_THREADS; the result does not depend on it. The surface is initialised
  * and empty.
  * GMDS_OK; GMDS_ERR_ARGUMENT (a face of fewer than three vertices, or a side that joins a vertex with itself);
- * GMDS_ERR_CELL (a vertex that does not exist); GMDS_ERR_CONFLICT (a third face on an edge): the sentence names the face and
- * the vertices; GMDS_ERR_TOO_MANY; GMDS_ERR_MEMORY. The surface stays empty. O(vertices + darts), times the faces at an
- * edge. */
+ * GMDS_ERR_CELL (a vertex that does not exist); GMDS_ERR_CONFLICT (a third face on an edge): the sentence names the
+ * face and the vertices; GMDS_ERR_TOO_MANY; GMDS_ERR_MEMORY. The surface stays empty. O(vertices + darts), times the
+ * faces at an edge. */
 gmds_status gmds_surface_from_faces(gmds_surface *surface, size_t n_vertices, size_t n_faces, const size_t *begin,
                                     const gmds_id *nodes, unsigned threads, gmds_error *error);
 
@@ -44,8 +44,8 @@ gmds_status gmds_surface_from_faces(gmds_surface *surface, size_t n_vertices, si
  * GMDS_ERR_UNSUPPORTED: a cell of a volume. */
 gmds_status gmds_surface_from_soup(gmds_surface *surface, const gmds_soup *soup, unsigned threads, gmds_error *error);
 
-/* The same, and clears the soup, also after a failure. Where it holds triangles alone and takes its memory from where the
- * surface does, their corners are moved, and the rest is freed before anything is allocated. */
+/* The same, and clears the soup, also after a failure. Where it holds triangles alone and takes its memory from where
+ * the surface does, their corners are moved, and the rest is freed before anything is allocated. */
 gmds_status gmds_surface_take_soup(gmds_surface *surface, gmds_soup *soup, unsigned threads, gmds_error *error);
 
 /* Beta 1: the next dart around the face. */

@@ -104,8 +104,8 @@ static matrix boundaries(const face_list *f, const edges *e, size_t more)
   return m;
 }
 
-/* Whether turning some faces makes every two that share an edge run along it in different directions: a system of equations
- * modulo 2, an unknown a face, solvable when the right side does not raise the rank. */
+/* Whether turning some faces makes every two that share an edge run along it in different directions: a system of
+ * equations modulo 2, an unknown a face, solvable when the right side does not raise the rank. */
 static int find_orientable(const face_list *f, const edges *e)
 {
   matrix m = new_matrix(e->n, f->n + 1), left = new_matrix(e->n, f->n + 1);

@@ -21,8 +21,8 @@ typedef struct truth {
 
 truth find_truth(const face_list *list);
 
-/* Whether the rows of h1 are closed chains of edges of faces, without a vertex twice, that together with the boundaries of
- * faces have the rank they should: none is a sum of others and of boundaries. */
+/* Whether the rows of h1 are closed chains of edges of faces, without a vertex twice, that together with the boundaries
+ * of faces have the rank they should: none is a sum of others and of boundaries. */
 int are_generators(const face_list *list, const gmds_csr *h1);
 
 /* Whether every row of h2 is a set of faces without boundary, and no two have one in common. */

@@ -94,8 +94,8 @@ static inline face_list make_shape(shape s, size_t n, int triangles, int turned)
   return f;
 }
 
-/* At most n faces of 3 to `most` vertices, drawn from a few, with one or two faces an edge: pinched at many vertices, with
- * borders, of several components, mostly not orientable. */
+/* At most n faces of 3 to `most` vertices, drawn from a few, with one or two faces an edge: pinched at many vertices,
+ * with borders, of several components, mostly not orientable. */
 static inline face_list draw_faces(uint64_t *seed, size_t n_vertices, size_t n, size_t most)
 {
   face_list f = new_faces(n_vertices, n, n * most);
