@@ -28,7 +28,7 @@ empty_of_leftovers() { [ -z "$(find . -name '*.tmp*' -o -name '.*.gmds*' | head 
 # ---- help and wrong usage
 run 0 --help && prints 'sweep'
 run 0 --version
-for verb in models sweep delaunay convert info check bench; do run 0 "$verb" --help && prints "usage: gmds $verb"; done
+for verb in models sweep delaunay homology convert info check bench; do run 0 "$verb" --help && prints "usage: gmds $verb"; done
 run 2 nonsense && says "no verb 'nonsense'"
 run 2 delaunay && says 'missing'
 run 2 delaunay a b && says 'too many'
@@ -170,6 +170,31 @@ run 2 bench nothing
 run 2 bench predicates --n 5
 run 2 bench predicates --model 'N|F|F2N'
 run 1 bench cells --n 5 --model 'N|F|F2N +N2F' && says 'borrows'
+
+# ---- homology
+run 2 homology && says 'missing'
+run 2 homology torus:9 --threads 0 && says 'from 1 to 256'
+run 2 homology torus:9 --clusters boxes && says "not 'boxes'"
+run 2 homology torus:9 --clusters grid:41
+run 2 homology torus:9 --clusters ranges:
+run 1 homology torus:2 && says 'torus:2: expected torus:N with a whole number from 3'
+run 1 homology nothing.off
+run 1 homology torus:9 --generators g.xyzzy && absent g.xyzzy
+run 0 homology sphere:9 && prints 'closed, orientable' && prints 'Betti numbers 1, 0, 1'
+for how in one ranges ranges:7 grid grid:3; do
+  for threads in 1 2 5; do
+    run 0 homology torus:30 --clusters $how --threads $threads --json &&
+      prints '^{"vertices":900,"edges":2700,"faces":1800,"components":1,"closed":true,"orientable":true,"betti":\[1,2,1\],"seconds":{"build":' &&
+      prints '"removed":{"inner":'
+    sed 's/"seconds":{[^}]*}//' out >torus.$threads
+    cmp -s torus.1 torus.$threads || fail "the counts of --clusters $how depend on the threads"
+  done
+done
+run 0 homology torus:30 --generators g.vtk && run 0 info g.vtk && prints 'triangle *1800' && prints 'of cells *generator: int'
+printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 1 1\n3 0 1 2\n3 0 1 3\n3 1 0 4\n' >book.off
+run 1 homology book.off && says 'on the edge of vertices 0 and 1'
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >one.off
+run 0 homology one.off --json && prints '"closed":false' && prints '"betti":\[1,0,0\]'
 
 # ---- borrowed relations: the result and the bytes of the model itself, the peak of the one that it borrows from
 borrowed='N|F|F2N,N|F|F2N +N2F,N|F|N2F +F2N +F2F,N|E|F|N2E|E2F +F2E,N|F|F2N|F2F+N2F,N|E|F|E2N|F2E +N2E +N2F +E2F +F2N +F2F'
