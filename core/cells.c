@@ -108,7 +108,7 @@ gmds_id gmds_cells_take_many(gmds_cells *cells, size_t n)
     cells->hole = first + n;
   cells->end += n;
   cells->count += n;
-  for (gmds_attribute *a = cells->attributes; a; a = a->next)
+  for (gmds_attribute *a = n ? cells->attributes : NULL; a; a = a->next)
     memset((char *)a->data + first * a->bytes, 0, n * a->bytes);
   return (gmds_id)first;
 }
