@@ -9,7 +9,9 @@ cmake -S . -B build -DCMAKE_BUILD_TYPE=Release >/dev/null
 cmake --build build -j 2 --target gmds_command handwritten_delaunay handwritten_delaunay3 >/dev/null
 options=()
 if [ -f "$peers/Makefile" ]; then
-  make -s -C "$peers" OUT="$PWD/out/peers" "$PWD/out/peers/cgal_delaunay"
+  for peer in cgal_delaunay cgal_homology gudhi_homology; do
+    make -s -C "$peers" OUT="$PWD/out/peers" "$PWD/out/peers/$peer"
+  done
   options=(--peers out/peers)
 fi
 specs=(random:1000:1 random:10000:1 random:100000:1 clusters:1000000:1 circle:200000)
@@ -33,4 +35,9 @@ for model in 'N|E|F|N2E|N2F|E2N|E2F|F2N|F2E|F2F' 'N|F|N2F|F2N|F2F' 'N|F|F2N|F2F'
 done >out/cells.json
 /usr/bin/python3 bench/models.py >out/models.txt
 /usr/bin/python3 bench/models.py --dim 3 --out out/models3 >out/models3.txt
-echo "out/: delaunay.md, delaunay3.md, ten-million.md, cells.json, predicates.json, models.txt, models/, models3.txt, models3/"
+surfaces=(torus:200 torus:700 torus:1300)
+for name in bff_kitten.obj derived_lobsterCT_tri.off simnibs_fsaverage_lh_sphere.off surfice_BrainMesh_Ch2.off vtkdata_turbineblade.ply; do
+  [ -f "$points/../surfaces/$name.xz" ] && surfaces+=("$points/../surfaces/$name.xz")
+done
+/usr/bin/python3 bench/homology.py --runs 7 "${options[@]}" "${surfaces[@]}"
+echo "out/: delaunay.md, delaunay3.md, ten-million.md, cells.json, predicates.json, models.txt, models/, models3.txt, models3/, homology/"
