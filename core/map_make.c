@@ -75,8 +75,6 @@ static gmds_status make_stencil(gmds_map *map, const gmds_map_stencil *s, size_t
     memcpy(cell[0], nodes, n_nodes * sizeof *nodes);
   else
     place_points(map, n_nodes, cell[0], x);
-  for (size_t k = 0; k < n_nodes && !nodes; k++)
-    map->anchor[0][cell[0][k]] = GMDS_NONE;
   for (unsigned k = 0; k < s->darts; k++) {
     gmds_id *record = gmds_map_record(map, dart[k]);
     record[0] = dart[s->before[k]];
@@ -85,19 +83,18 @@ static gmds_status make_stencil(gmds_map *map, const gmds_map_stencil *s, size_t
     for (int i = 3; i <= map->n; i++)
       record[i] = GMDS_NONE;
     const gmds_id v = cell[0][s->node[k]];
-    record[map->slot[0]] = v;
-    if (map->anchor[0][v] == GMDS_NONE)
+    record[map->n + 1] = v;
+    if (!nodes || map->anchor[0][v] == GMDS_NONE)
       map->anchor[0][v] = dart[k];
-    for (int i = 1; i < 3; i++)
-      if (map->slot[i]) {
-        record[map->slot[i]] = cell[i][local[i][k]];
-        map->anchor[i][cell[i][local[i][k]]] = dart[k];
-      }
-    if (map->slot[3]) {
-      record[map->slot[3]] = cell[3][0];
-      map->anchor[3][cell[3][0]] = dart[0];
-    }
   }
+  for (int i = 1; i < GMDS_MAP_KEPT; i++)
+    for (unsigned k = 0; k < s->darts && map->slot[i]; k++) {
+      const gmds_id c = cell[i][i < 3 ? local[i][k] : 0];
+      gmds_map_record(map, dart[k])[map->slot[i]] = c;
+      map->anchor[i][c] = dart[k];
+    }
+  if (map->slot[3])
+    map->anchor[3][cell[3][0]] = dart[0];
   *d = dart[0];
   return GMDS_OK;
 }

@@ -1,6 +1,7 @@
 /* Matching: the (n-1)-cells that two n-cells have in common are found by a hash of their nodes and sewn, all at once. The
  * table forgets what it has matched, so that it stays as small as the front between what was met and what was not. */
 #include "map_inside.h"
+#include <gmds/template.h>
 #include <string.h>
 
 /* A border that waits for the other side. */
@@ -19,6 +20,15 @@ typedef struct matching {
   gmds_id *parent[GMDS_MAP_KEPT]; /* which cells become one: forests, the smaller is the parent */
 } matching;
 
+/* What is read of darts: each layout that is a constant is compiled by itself. */
+typedef struct layout {
+  gmds_id *records;
+  size_t stride;
+  int n, node;
+} layout;
+
+#define RECORD(l, d) ((l).records + (size_t)(d) * (l).stride)
+
 static uint64_t hash_of_node(const matching *m, gmds_id v)
 {
   if (m->by == GMDS_BY_NODES)
@@ -30,9 +40,10 @@ static uint64_t hash_of_node(const matching *m, gmds_id v)
     uint64_t w = 0;
     memcpy(&w, &positive, sizeof w);
     h = (h ^ w) * 0x9e3779b97f4a7c15u;
-    h ^= h >> 29;
+    h ^= h >> 32;
   }
-  return mix64(h);
+  h *= 0xbf58476d1ce4e5b9u;
+  return h ^ (h >> 29);
 }
 
 static int same_node(const matching *m, gmds_id v, gmds_id w)
@@ -47,22 +58,20 @@ static int same_node(const matching *m, gmds_id v, gmds_id w)
 }
 
 /* The key of the border of d, a closed cycle of free darts of which d is the first, or for n = 2 one dart. 0: it is none. */
-static uint64_t key_of(const matching *m, gmds_id d)
+GMDS_SPECIALISED uint64_t key_of(const layout l, const uint64_t *hash, gmds_id d)
 {
-  const gmds_map *map = m->map;
-  const gmds_id *record = gmds_map_record(map, d);
-  const int n = map->n, node = map->slot[0];
-  if (record[n] != GMDS_NONE || record[1] == GMDS_NONE)
+  const gmds_id *record = RECORD(l, d);
+  if (record[l.n] != GMDS_NONE || record[1] == GMDS_NONE)
     return 0;
-  if (n == 2)
-    return m->hash[record[node]] + m->hash[gmds_map_record(map, record[1])[node]];
+  if (l.n == 2)
+    return hash[record[l.node]] + hash[RECORD(l, record[1])[l.node]];
   if (record[0] < d || record[0] == GMDS_NONE)
     return 0;
   uint64_t key = 0;
   gmds_id e = d;
   do {
-    record = gmds_map_record(map, e);
-    key += m->hash[record[node]];
+    record = RECORD(l, e);
+    key += hash[record[l.node]];
     e = record[1];
     if (e == GMDS_NONE || e < d)
       return 0;
@@ -153,6 +162,44 @@ static gmds_status meet(matching *m, gmds_id d, uint64_t key)
   return GMDS_OK;
 }
 
+/* Borders are met some time after their keys are known: what the table and the other side hold is on its way meanwhile. */
+enum { AHEAD = 8, QUEUE = 16 };
+
+GMDS_SPECIALISED gmds_status meet_borders(matching *m, const layout l)
+{
+  const gmds_cells *darts = &m->map->darts;
+  const int full = darts->count == darts->end;
+  waiting queue[QUEUE];
+  size_t n = 0;
+  for (size_t k = 0; k < darts->end; k++) {
+    const gmds_id d = (gmds_id)k;
+    const uint64_t key = full || gmds_bits_get(&darts->alive, k) ? key_of(l, m->hash, d) : 0;
+    if (!key)
+      continue;
+    if (n >= QUEUE)
+      GMDS_TRY(meet(m, queue[n % QUEUE].dart, queue[n % QUEUE].key));
+    queue[n % QUEUE] = (waiting){key, d};
+    __builtin_prefetch(m->table + (key & (m->capacity - 1)));
+    if (n >= AHEAD) {
+      const waiting *w = &m->table[queue[(n - AHEAD) % QUEUE].key & (m->capacity - 1)];
+      if (w->dart != GMDS_NONE)
+        __builtin_prefetch(RECORD(l, w->dart));
+    }
+    n++;
+  }
+  for (size_t k = n > QUEUE ? n - QUEUE : 0; k < n; k++)
+    GMDS_TRY(meet(m, queue[k % QUEUE].dart, queue[k % QUEUE].key));
+  return GMDS_OK;
+}
+
+static gmds_status meet_all(matching *m)
+{
+  const gmds_map *map = m->map;
+  if (map->n == 3 && map->stride == 5)
+    return meet_borders(m, (layout){map->records, 5, 3, 4});
+  return meet_borders(m, (layout){map->records, (size_t)map->stride, map->n, map->slot[0]});
+}
+
 static gmds_status find_matches(matching *m)
 {
   gmds_map *map = m->map;
@@ -163,16 +210,17 @@ static gmds_status find_matches(matching *m)
   for (gmds_id v = gmds_cells_next(&map->cells[0], 0); v != GMDS_NONE; v = gmds_cells_next(&map->cells[0], v + 1))
     m->hash[v] = hash_of_node(m, v);
   GMDS_TRY(grow_table(m));
-  for (gmds_id d = gmds_cells_next(&map->darts, 0); d != GMDS_NONE; d = gmds_cells_next(&map->darts, d + 1)) {
-    const uint64_t key = key_of(m, d);
-    if (key)
-      GMDS_TRY(meet(m, d, key));
-  }
+  GMDS_TRY(meet_all(m));
   for (int i = 0; i < map->n && i < GMDS_MAP_KEPT; i++) {
     void *parent = NULL;
     if (!map->slot[i])
       continue;
-    if (!gmds_resize(&map->memory, &parent, 0, map->cells[i].end, sizeof(gmds_id)))
+    if (i == 0) { /* in the room of the hashes, which are not needed any more: a call for fewer bytes */
+      parent = m->hash;
+      m->hash = NULL;
+      (void)gmds_resize(&map->memory, &parent, map->cells[0].end * (sizeof *m->hash / sizeof(gmds_id)),
+                        map->cells[0].end, sizeof(gmds_id));
+    } else if (!gmds_resize(&map->memory, &parent, 0, map->cells[i].end, sizeof(gmds_id)))
       return GMDS_ERR_MEMORY;
     m->parent[i] = parent;
     for (size_t c = 0; c < map->cells[i].end; c++)
@@ -191,6 +239,8 @@ static gmds_id root_of(gmds_id *parent, gmds_id c)
 static void join_cells(matching *m, int i, gmds_id a, gmds_id b)
 {
   const gmds_map *map = m->map;
+  if (a == b)
+    return;
   a = root_of(m->parent[i], a);
   b = root_of(m->parent[i], b);
   if (a == b)
@@ -206,24 +256,35 @@ static void join_cells(matching *m, int i, gmds_id a, gmds_id b)
 }
 
 /* Links the darts of two borders and joins their cells. */
-static void sew_borders(matching *m, gmds_id d, gmds_id e)
+GMDS_SPECIALISED void sew_border(matching *m, const layout l, int only_nodes, gmds_id d, gmds_id e)
 {
-  gmds_map *map = m->map;
+  const int *slot = m->map->slot;
   const gmds_id first = d;
-  const int n = map->n;
   do {
-    gmds_id *a = gmds_map_record(map, d), *b = gmds_map_record(map, e);
-    a[n] = e;
-    b[n] = d;
-    join_cells(m, 0, a[map->slot[0]], gmds_map_record(map, b[1])[map->slot[0]]);
-    if (n == 2)
-      join_cells(m, 0, b[map->slot[0]], gmds_map_record(map, a[1])[map->slot[0]]);
-    for (int i = 1; i < n; i++)
-      if (map->slot[i])
-        join_cells(m, i, a[map->slot[i]], b[map->slot[i]]);
+    gmds_id *a = RECORD(l, d), *b = RECORD(l, e);
+    a[l.n] = e;
+    b[l.n] = d;
+    join_cells(m, 0, a[l.node], RECORD(l, b[1])[l.node]);
+    if (l.n == 2)
+      join_cells(m, 0, b[l.node], RECORD(l, a[1])[l.node]);
+    for (int i = 1; i < l.n && !only_nodes; i++)
+      if (slot[i])
+        join_cells(m, i, a[slot[i]], b[slot[i]]);
     d = a[1];
     e = b[0];
-  } while (n > 2 && d != first);
+  } while (l.n > 2 && d != first);
+}
+
+static void sew_borders(matching *m)
+{
+  const gmds_map *map = m->map;
+  const gmds_id *pair = m->pairs.data, *end = pair + m->pairs.n;
+  if (map->n == 3 && map->stride == 5)
+    for (; pair < end; pair += 2)
+      sew_border(m, (layout){map->records, 5, 3, 4}, 1, pair[0], pair[1]);
+  else
+    for (; pair < end; pair += 2)
+      sew_border(m, (layout){map->records, (size_t)map->stride, map->n, map->slot[0]}, 0, pair[0], pair[1]);
 }
 
 /* Writes the cells that were joined into all darts and drops the others. */
@@ -237,10 +298,12 @@ static void settle(matching *m)
       continue;
     for (size_t c = 0; c < map->cells[i].end; c++)
       parent[c] = parent[parent[c]]; /* the parent is smaller: it has its root already */
-    for (gmds_id d = gmds_cells_next(&map->darts, 0); d != GMDS_NONE; d = gmds_cells_next(&map->darts, d + 1)) {
-      gmds_id *cell = gmds_map_record(map, d) + slot;
-      *cell = parent[*cell];
-    }
+    const int full = map->darts.count == map->darts.end;
+    for (size_t d = 0; d < map->darts.end; d++)
+      if (full || gmds_bits_get(&map->darts.alive, d)) {
+        gmds_id *cell = map->records + d * (size_t)map->stride + slot;
+        *cell = parent[*cell];
+      }
     for (size_t c = map->cells[i].end; c-- > 0;)
       if (parent[c] != c)
         gmds_cells_drop(&map->cells[i], (gmds_id)c);
@@ -258,8 +321,7 @@ gmds_status gmds_map_match(gmds_map *map, gmds_map_by by, size_t *sewn)
   gmds_status status = find_matches(&m);
   const size_t n = m.pairs.n / 2;
   if (status == GMDS_OK) {
-    for (size_t k = 0; k < m.pairs.n; k += 2)
-      sew_borders(&m, m.pairs.data[k], m.pairs.data[k + 1]);
+    sew_borders(&m);
     if (n)
       settle(&m);
   }
