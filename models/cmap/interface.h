@@ -1,12 +1,11 @@
 /* What a combinatorial map can do: the functions of a model opened with GMDS_BACKEND GMDS_CMAP, each under the model's
- * prefix (map3_mesh_init, map3_sew, ...). n stands for GMDS_DIM.
+ * prefix (map3_mesh_init, map3_sew, ...). n stands for GMDS_DIM. Defined before <gmds/mesh.h> is included:
  *
- *     #define GMDS_PREFIX map3
- *     #define GMDS_BACKEND GMDS_CMAP
- *     #define GMDS_DIM 3                     2, 3 or 4
- *     #define GMDS_MODEL (N|R)               cells that are numbered and may have attributes: N always, E, F, R; DIM2 or
+ *     GMDS_PREFIX map3
+ *     GMDS_BACKEND GMDS_CMAP
+ *     GMDS_DIM 3                             2, 3 or 4
+ *     GMDS_MODEL (N|R)                       cells that are numbered and may have attributes: N always, E, F, R; DIM2 or
  *                                            DIM3: coordinates of a node (2 in a 2-map, else 3, unless it says otherwise)
- *     #include <gmds/mesh.h>
  *
  * A map is a set of darts and its links (map.h: definitions, after [dmaps] 2.1 and Damiand and Lienhardt, Combinatorial
  * Maps, 2014). A dart takes n + 1 identifiers and one more for each kind of cell that is kept, 4 bytes each, and a bit; a

@@ -103,7 +103,7 @@ enum { GMDS_FN(model) = (GMDS_MODEL) };
 #define GMDS_HAS_TETRAHEDRA 1
 #define GMDS__HAS_TETRAHEDRA 1
 #define GMDS_ADDS_FACES (GMDS__N == 2)
-#define GMDS_ADDS_LOCALLY (GMDS__N == 2)
+#define GMDS_ADDS_LOCALLY 0 /* a face that touches others at a node alone is refused */
 #define GMDS_ADDS_REGIONS (GMDS__N == 3)
 #define GMDS_STARS (GMDS__N == 3 && GMDS__K_3 && !GMDS__K_1 && !GMDS__K_2)
 #define GMDS_LISTS_CELLS ((GMDS__N == 2 && GMDS__K_2) || (GMDS__N == 3 && GMDS__K_3))
