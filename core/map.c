@@ -214,8 +214,8 @@ gmds_status gmds_map_set_rule(gmds_map *map, int i, const gmds_attribute *attrib
   return GMDS_OK;
 }
 
-/* Writes the new numbers of i-cells into all darts, and moves what is beside the cells; map[c] is not above c or all are
- * permuted into `fresh` columns by the caller. */
+/* Writes the new numbers of i-cells into all darts, and moves what is beside the cells; map[c] is not above c or all
+ * are permuted into `fresh` columns by the caller. */
 static void rename_in_darts(gmds_map *map, int i, const gmds_id *number)
 {
   for (gmds_id d = gmds_cells_next(&map->darts, 0); d != GMDS_NONE; d = gmds_cells_next(&map->darts, d + 1)) {

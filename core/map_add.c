@@ -1,5 +1,5 @@
-/* A combinatorial map as a model: faces of 2-maps and regions of 3-maps upon nodes that exist, sewn with what is there; their
- * deletion; the cavity operator of 3-maps. */
+/* A combinatorial map as a model: faces of 2-maps and regions of 3-maps upon nodes that exist, sewn with what is there;
+ * their deletion; the cavity operator of 3-maps. */
 #include "map_inside.h"
 #include <string.h>
 
@@ -200,8 +200,8 @@ gmds_status gmds_map_remove_node(gmds_map *map, gmds_id v, gmds_around around)
   return GMDS_OK;
 }
 
-/* ---- the cavity operator: tetrahedra are 12 darts in the order of their stencil, which are used again as they are linked;
- * only their nodes and what is beyond their faces change. Tetrahedron i has wall i as its face 3 (shapes.h). */
+/* ---- the cavity operator: tetrahedra are 12 darts in the order of their stencil, which are used again as they are
+ * linked; only their nodes and what is beyond their faces change. Tetrahedron i has wall i as its face 3 (shapes.h). */
 
 enum { TET = 12 };
 
@@ -277,8 +277,8 @@ static void write_tetrahedron(gmds_map *map, const gmds_id dart[TET], gmds_id ap
   link_faces(map, dart[11], outside); /* dart 11 leads from node 1 to node 0 of face 0 2 1 */
 }
 
-/* Links what meets at the edges of the walls: around each node what leaves it is met by what comes to it. `room` has space for
- * 3 n_walls + 2 n_nodes + 1 entries; dart has the 12 of each tetrahedron. */
+/* Links what meets at the edges of the walls: around each node what leaves it is met by what comes to it. `room` has
+ * space for 3 n_walls + 2 n_nodes + 1 entries; dart has the 12 of each tetrahedron. */
 static void link_spokes(gmds_map *map, size_t n_walls, const gmds_cavity_wall *walls, size_t n_nodes,
                         const gmds_id *dart, gmds_id *room)
 {

@@ -2,8 +2,8 @@
 #include "map_inside.h"
 #include <string.h>
 
-/* A number for each dart that depends on what is `rounds` links around it: refinement, as of Weisfeiler and Leman (1968).
- * Two arrays of darts.end entries; the value is the one that holds the result. */
+/* A number for each dart that depends on what is `rounds` links around it: refinement, as of Weisfeiler and Leman
+ * (1968). Two arrays of darts.end entries; the value is the one that holds the result. */
 static uint64_t *refine(const gmds_map *map, int with_points, int rounds, uint64_t *now, uint64_t *next)
 {
   for (gmds_id d = gmds_cells_next(&map->darts, 0); d != GMDS_NONE; d = gmds_cells_next(&map->darts, d + 1)) {

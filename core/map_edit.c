@@ -1,7 +1,7 @@
-/* Edits of a combinatorial map: links are changed at once and written down. At the end the cells around what changed are
- * found anew: an orbit keeps the first of its cells that no orbit before it has, what is left over has gone into the orbit
- * where it was met first, and an orbit without a cell gets a new one, a part of the cell that its darts had. All room is
- * taken before a cell changes; when there is none, the links are taken back. */
+/* Edits of a combinatorial map: links are changed at once and written down. At the end the cells around what changed
+ * are found anew: an orbit keeps the first of its cells that no orbit before it has, what is left over has gone into
+ * the orbit where it was met first, and an orbit without a cell gets a new one, a part of the cell that its darts had.
+ * All room is taken before a cell changes; when there is none, the links are taken back. */
 #include "map_inside.h"
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* Insertion of cells into a combinatorial map, and closing. What is done in one place is done in its mirror images beyond
- * beta_3 to beta_n too, so that these stay involutions. */
+/* Insertion of cells into a combinatorial map, and closing. What is done in one place is done in its mirror images
+ * beyond beta_3 to beta_n too, so that these stay involutions. */
 #include "map_inside.h"
 #include <string.h>
 
@@ -314,7 +314,8 @@ gmds_status gmds_map_insert_face_in_volume(gmds_map *map, size_t n, const gmds_i
 
 /* ---- closing */
 
-/* The i-free dart that the hole goes on with at dart d: from beta_j(d) around what is sewn. GMDS_NONE: there is none. */
+/* The i-free dart that the hole goes on with at dart d: from beta_j(d) around what is sewn. GMDS_NONE: there is none.
+ * */
 static gmds_id around_hole(const gmds_map *map, int i, int j, gmds_id d)
 {
   gmds_id x = gmds_map_beta(map, j, d);

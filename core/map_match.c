@@ -1,5 +1,6 @@
-/* Matching: the (n-1)-cells that two n-cells have in common are found by a hash of their nodes and sewn, all at once. The
- * table forgets what it has matched, so that it stays as small as the front between what was met and what was not. */
+/* Matching: the (n-1)-cells that two n-cells have in common are found by a hash of their nodes and sewn, all at once.
+ * The table forgets what it has matched, so that it stays as small as the front between what was met and what was not.
+ * */
 #include "map_inside.h"
 #include <gmds/template.h>
 #include <string.h>
@@ -57,7 +58,8 @@ static int same_node(const matching *m, gmds_id v, gmds_id w)
   return 1;
 }
 
-/* The key of the border of d, a closed cycle of free darts of which d is the first, or for n = 2 one dart. 0: it is none. */
+/* The key of the border of d, a closed cycle of free darts of which d is the first, or for n = 2 one dart. 0: it is
+ * none. */
 GMDS_SPECIALISED uint64_t key_of(const layout l, const uint64_t *hash, gmds_id d)
 {
   const gmds_id *record = RECORD(l, d);
@@ -79,7 +81,8 @@ GMDS_SPECIALISED uint64_t key_of(const layout l, const uint64_t *hash, gmds_id d
   return key;
 }
 
-/* The dart of the border of e that lies opposite d, or GMDS_NONE: their borders are not the same, or run the same way. */
+/* The dart of the border of e that lies opposite d, or GMDS_NONE: their borders are not the same, or run the same way.
+ * */
 static gmds_id opposite(const matching *m, gmds_id d, gmds_id e)
 {
   const gmds_map *map = m->map;
@@ -162,7 +165,8 @@ static gmds_status meet(matching *m, gmds_id d, uint64_t key)
   return GMDS_OK;
 }
 
-/* Borders are met some time after their keys are known: what the table and the other side hold is on its way meanwhile. */
+/* Borders are met some time after their keys are known: what the table and the other side hold is on its way meanwhile.
+ * */
 enum { AHEAD = 8, QUEUE = 16 };
 
 GMDS_SPECIALISED gmds_status meet_borders(matching *m, const layout l)

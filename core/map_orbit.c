@@ -93,8 +93,8 @@ int map_moves(const gmds_map *map, unsigned betas, gmds_id d, gmds_id to[MAP_MOV
   return n;
 }
 
-/* The cycles that need no marks: darts one after the other along `first`, then along `second` from d the other way where the
- * cycle is open. Two betas each, applied one after the other; -1 for none. */
+/* The cycles that need no marks: darts one after the other along `first`, then along `second` from d the other way
+ * where the cycle is open. Two betas each, applied one after the other; -1 for none. */
 static gmds_status walk(const gmds_map *map, gmds_id d, const int first[2], const int second[2], gmds_ids *list)
 {
   gmds_id e = d;
@@ -177,8 +177,8 @@ gmds_status gmds_map_orbit(const gmds_map *map, gmds_id d, unsigned betas, gmds_
   return GMDS_OK;
 }
 
-/* Keeps the entries from `first` on once each, in their order, less `but`; moves them to the front. Short lists and those in
- * order (2 -> 0, 2 -> 1) by comparison, long ones are sorted. */
+/* Keeps the entries from `first` on once each, in their order, less `but`; moves them to the front. Short lists and
+ * those in order (2 -> 0, 2 -> 1) by comparison, long ones are sorted. */
 static void keep_once(gmds_ids *list, size_t first, gmds_id but, int ordered)
 {
   if (!ordered && list->n - first > 2 * FEW) {
@@ -216,8 +216,8 @@ static gmds_status push_incident(const gmds_map *map, int i, int j, gmds_id d, g
   return GMDS_OK;
 }
 
-/* Appends the i-cells around the (i-1)-cells at dart d of an i-cell: those that share one with it. For nodes: the other ends
- * of edges. */
+/* Appends the i-cells around the (i-1)-cells at dart d of an i-cell: those that share one with it. For nodes: the other
+ * ends of edges. */
 static gmds_status push_adjacent(const gmds_map *map, int i, gmds_id d, gmds_ids *orbit, gmds_ids *list)
 {
   const gmds_id before = gmds_map_beta(map, 0, d), after = gmds_map_beta(map, 1, d);
@@ -245,6 +245,42 @@ static gmds_status push_adjacent(const gmds_map *map, int i, gmds_id d, gmds_ids
   return GMDS_OK;
 }
 
+/* The first dart of each face of the volume of d where that is a tetrahedron: what triangulations ask most. */
+static int faces_of_tetrahedron(const gmds_map *map, gmds_id d, gmds_id face[4])
+{
+  const gmds_id b = gmds_map_beta(map, 1, d), c = gmds_map_beta(map, 0, d);
+  if (b == GMDS_NONE || c == GMDS_NONE || gmds_map_beta(map, 1, b) != c)
+    return 0;
+  const gmds_id on[3] = {d, b, c};
+  face[3] = d;
+  for (int k = 0; k < 3; k++) {
+    face[k] = gmds_map_beta(map, 2, on[k]);
+    const gmds_id next = gmds_map_next(map, 1, face[k]), last = gmds_map_next(map, 1, next);
+    if (last == GMDS_NONE || gmds_map_beta(map, 1, last) != face[k])
+      return 0;
+  }
+  for (int k = 0; k < 3; k++) /* the other faces meet each other: what precedes here follows there */
+    if (gmds_map_beta(map, 2, gmds_map_beta(map, 0, face[k])) != gmds_map_beta(map, 1, face[k < 2 ? k + 1 : 0]))
+      return 0;
+  return 1;
+}
+
+/* 3 -> 0 and 3 -> 3 of a tetrahedron. */
+static gmds_status tetrahedron_adjacent(const gmds_map *map, int j, gmds_id c, const gmds_id face[4], gmds_ids *list)
+{
+  GMDS_TRY(gmds_ids_reserve(list, 4));
+  list->n = 4;
+  for (int k = 0; k < 4; k++) {
+    const gmds_id beyond = gmds_map_beta(map, 3, face[k]);
+    if (j == 3)
+      list->data[k] = beyond == GMDS_NONE ? GMDS_NONE : gmds_map_cell(map, 3, beyond);
+    else /* where the sides of face 3 begin, and the node that is not on it */
+      list->data[k] = gmds_map_cell(map, 0, k < 3 ? face[k] : gmds_map_beta(map, 0, face[0]));
+  }
+  keep_once(list, 0, j == 3 ? c : GMDS_NONE, 1);
+  return GMDS_OK;
+}
+
 gmds_status gmds_map_adjacent(const gmds_map *map, int i, int j, gmds_id c, gmds_ids *list)
 {
   if (!gmds_cells_has(&map->cells[i], c))
@@ -253,6 +289,9 @@ gmds_status gmds_map_adjacent(const gmds_map *map, int i, int j, gmds_id c, gmds
   list->n = 0;
   if (d == GMDS_NONE)
     return GMDS_OK;
+  gmds_id face[4];
+  if (i == 3 && map->n == 3 && (j == 0 || j == 3) && faces_of_tetrahedron(map, d, face))
+    return tetrahedron_adjacent(map, j, c, face, list);
   const int ordered = i == 2 && j < 2;
   const unsigned betas = ordered ? GMDS_BETA(1) : gmds_map_cell_betas(map, i);
   gmds_ids orbit = {.memory = list->memory};

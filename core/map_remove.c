@@ -1,5 +1,5 @@
-/* Removal and contraction of cells (Damiand and Lienhardt 2014, chapter 6): the cell's darts go, and a dart that was linked
- * with one of them is linked with what is found by passing through the cell. */
+/* Removal and contraction of cells (Damiand and Lienhardt 2014, chapter 6): the cell's darts go, and a dart that was
+ * linked with one of them is linked with what is found by passing through the cell. */
 #include "map_inside.h"
 
 /* A cell that goes. */
@@ -42,7 +42,8 @@ static gmds_status note(removal *r, int i, gmds_id d, gmds_id e)
   return gmds_ids_push(&r->links, e);
 }
 
-/* For dart b of the cell: what beta_i^-1(b), outside, is linked with instead; one passes through the cell by beta_`through`. */
+/* For dart b of the cell: what beta_i^-1(b), outside, is linked with instead; one passes through the cell by
+ * beta_`through`. */
 static gmds_status note_passage(removal *r, gmds_id b, int through)
 {
   const gmds_map *map = r->map;
@@ -57,7 +58,8 @@ static gmds_status note_passage(removal *r, gmds_id b, int through)
   return note(r, i, d, e);
 }
 
-/* A node: for dart b that begins there, the dart before it goes on where b, or the last of those that begin there, ended. */
+/* A node: for dart b that begins there, the dart before it goes on where b, or the last of those that begin there,
+ * ended. */
 static gmds_status note_node(removal *r, gmds_id b)
 {
   const gmds_map *map = r->map;

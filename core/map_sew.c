@@ -1,4 +1,5 @@
-/* Links and sewing (Damiand and Lienhardt 2014: sewing two cells is linking the darts of two isomorphic orbits, two by two).
+/* Links and sewing (Damiand and Lienhardt 2014: sewing two cells is linking the darts of two isomorphic orbits, two by
+ * two).
  */
 #include "map_inside.h"
 #include <string.h>

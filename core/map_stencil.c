@@ -1,5 +1,5 @@
-/* The darts of a tetrahedron, a pyramid, a prism and a hexahedron: those of face 0 of shapes.h first, in the order of its
- * nodes, which turn counter-clockwise seen from outside. A test holds the tables against shapes.h. */
+/* The darts of a tetrahedron, a pyramid, a prism and a hexahedron: those of face 0 of shapes.h first, in the order of
+ * its nodes, which turn counter-clockwise seen from outside. A test holds the tables against shapes.h. */
 #include <gmds/map.h>
 
 /* clang-format off */

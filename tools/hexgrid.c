@@ -1,5 +1,5 @@
-/* gmds bench hexgrid: a grid of hexahedra as a 3-map that keeps nodes alone, made one by one from coordinates and sewn by
- * matching faces; nothing of the grid is known to either. */
+/* gmds bench hexgrid: a grid of hexahedra as a 3-map that keeps nodes alone, made one by one from coordinates and sewn
+ * by matching faces; nothing of the grid is known to either. */
 #include "command.h"
 #define GMDS_PREFIX hex
 #define GMDS_BACKEND GMDS_CMAP

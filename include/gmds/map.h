@@ -1,13 +1,14 @@
-/* Combinatorial maps of any dimension: what the opened models of models/cmap share, compiled once. The interface to use is
- * that of a model (models/cmap/interface.h); these functions are what stands behind it.
+/* Combinatorial maps of any dimension: what the opened models of models/cmap share, compiled once. The interface to use
+ * is that of a model (models/cmap/interface.h); these functions are what stands behind it.
  *
- * An n-map is a set of darts with n functions: beta_1 is a partial permutation, beta_0 its inverse, beta_2 to beta_n are
- * partial involutions without fixed points, and beta_i o beta_j is an involution where j >= i + 2 (Damiand and Lienhardt,
- * Combinatorial Maps, 2014; [dmaps] 2.1). A dart that beta_i leads nowhere is i-free. The i-cell of a dart is its orbit under
- * all betas but beta_i, that of dimension 0 the orbit of what leads from dart to dart with the same origin.
+ * An n-map is a set of darts with n functions: beta_1 is a partial permutation, beta_0 its inverse, beta_2 to beta_n
+ * are partial involutions without fixed points, and beta_i o beta_j is an involution where j >= i + 2 (Damiand and
+ * Lienhardt, Combinatorial Maps, 2014; [dmaps] 2.1). A dart that beta_i leads nowhere is i-free. The i-cell of a dart
+ * is its orbit under all betas but beta_i, that of dimension 0 the orbit of what leads from dart to dart with the same
+ * origin.
  *
- * A dart is a record of `stride` identifiers: beta_0 to beta_n, then its i-cell for each dimension that the map keeps. All
- * darts of an orbit have one cell, and no other dart has it. */
+ * A dart is a record of `stride` identifiers: beta_0 to beta_n, then its i-cell for each dimension that the map keeps.
+ * All darts of an orbit have one cell, and no other dart has it. */
 #ifndef GMDS_MAP_H
 #define GMDS_MAP_H
 
@@ -25,8 +26,8 @@ enum { GMDS_MAP_MOST = 4, GMDS_MAP_KEPT = 4 }; /* the highest dimension; cells o
 #define GMDS_BETA(i) (1u << (i))
 #define GMDS_SAME_ORIGIN (1u << 31) /* darts with the same origin: the orbit of a node */
 
-/* What becomes of an attribute's values when two cells become one, and when one becomes two. `kept` already has its value,
- * `fresh` a copy of that of `old`. */
+/* What becomes of an attribute's values when two cells become one, and when one becomes two. `kept` already has its
+ * value, `fresh` a copy of that of `old`. */
 typedef void (*gmds_merge)(void *user, void *kept, const void *gone);
 typedef void (*gmds_split)(void *user, void *old, void *fresh);
 
@@ -143,9 +144,9 @@ gmds_status gmds_map_remove_dart(gmds_map *map, gmds_id d);
 
 /* ---- making cells */
 
-/* The darts of a cell: `n_faces` cycles, cycle k visiting the local nodes corners[begin[k]] to corners[begin[k + 1] - 1];
- * every edge is on two cycles, once each way, or (n_faces 1) on one. nodes: identifiers of its nodes, which keep their darts,
- * or NULL: they are made, at x (n_nodes rows, may be NULL). Kept edges, faces and the region are made. */
+/* The darts of a cell: `n_faces` cycles, cycle k visiting the local nodes corners[begin[k]] to corners[begin[k + 1] -
+ * 1]; every edge is on two cycles, once each way, or (n_faces 1) on one. nodes: identifiers of its nodes, which keep
+ * their darts, or NULL: they are made, at x (n_nodes rows, may be NULL). Kept edges, faces and the region are made. */
 typedef struct gmds_map_frame {
   size_t n_nodes, n_faces;
   const size_t *begin;

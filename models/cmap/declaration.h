@@ -1,5 +1,5 @@
-/* What get_adj_a_b and all_adj_a_b are declared as (GMDS__A, GMDS__B), or the sentence that stands in their place: included by
- * interface.h once for each pair of dimensions. */
+/* What get_adj_a_b and all_adj_a_b are declared as (GMDS__A, GMDS__B), or the sentence that stands in their place:
+ * included by interface.h once for each pair of dimensions. */
 #define GMDS__AT(x) GMDS__JOIN(x, GMDS__A, GMDS__B)
 #define GMDS__HAS(i) GMDS__HAS_(i)
 #define GMDS__HAS_(i) GMDS__K_##i

@@ -1,5 +1,5 @@
-/* The cavity operators. In 2-maps a triangle keeps its three darts, linked as they are: of those that are used again only
- * nodes and what is beyond their sides change. */
+/* The cavity operators. In 2-maps a triangle keeps its three darts, linked as they are: of those that are used again
+ * only nodes and what is beyond their sides change. */
 
 #if GMDS__N == 2 && GMDS__K_2
 /* The darts of a triangle that is used again, or of a fresh one: taken one after the other and linked in themselves. */
@@ -58,7 +58,8 @@ static inline void write_star_edges(mesh *m, size_t n_sides, const gmds_id *ids,
 }
 #  endif
 
-/* Writes triangle i of a star, between sides[i] and the apex, but for what is beyond its side 2; the value is its dart 1. */
+/* Writes triangle i of a star, between sides[i] and the apex, but for what is beyond its side 2; the value is its dart
+ * 1. */
 static inline gmds_id write_star_face(mesh *m, gmds_id apex, const gmds_cavity_side *s, gmds_id outside, gmds_id f,
                                       int is_fresh, gmds_id *last)
 {

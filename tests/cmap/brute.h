@@ -1,5 +1,5 @@
-/* A combinatorial map as plain arrays: what the tests hold the library against. Orbits are closures by brute force, every
- * rule is written as it is defined. */
+/* A combinatorial map as plain arrays: what the tests hold the library against. Orbits are closures by brute force,
+ * every rule is written as it is defined. */
 #ifndef GMDS_TESTS_CMAP_BRUTE_H
 #define GMDS_TESTS_CMAP_BRUTE_H
 
@@ -22,7 +22,8 @@ void brute_copy(brute *b, const gmds_map *map);
 /* Whether the map has these links; prints nothing. */
 int brute_equals(const brute *b, const gmds_map *map);
 
-/* in[d]: whether d is in the orbit of `d` under the betas of a mask (GMDS_BETA), or of the same origin; how many are. */
+/* in[d]: whether d is in the orbit of `d` under the betas of a mask (GMDS_BETA), or of the same origin; how many are.
+ * */
 size_t brute_orbit(const brute *b, gmds_id d, unsigned betas, uint8_t *in);
 unsigned brute_cell(const brute *b, int i);
 

@@ -1,5 +1,6 @@
-/* Claims about operations: scripts of them from fixed seeds, in dimension 2, 3 and 4, against links as plain arrays and orbits
- * by brute force (brute.h). Every step is tried with each of its allocations failing first: nothing has changed then. */
+/* Claims about operations: scripts of them from fixed seeds, in dimension 2, 3 and 4, against links as plain arrays and
+ * orbits by brute force (brute.h). Every step is tried with each of its allocations failing first: nothing has changed
+ * then. */
 #include "brute.h"
 #include "harness.h"
 

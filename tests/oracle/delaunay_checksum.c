@@ -1,5 +1,5 @@
-/* The checksum of the Delaunay triangulation by one model, as the oracles print it: delaunay_checksum SPEC in the plane,
- * delaunay_checksum SPEC 3 in space. With MAPS it is compiled for combinatorial maps. */
+/* The checksum of the Delaunay triangulation by one model, as the oracles print it: delaunay_checksum SPEC in the
+ * plane, delaunay_checksum SPEC 3 in space. With MAPS it is compiled for combinatorial maps. */
 #define GMDS_PREFIX tri
 #ifdef MAPS
 #  define GMDS_BACKEND GMDS_CMAP
