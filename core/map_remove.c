@@ -74,7 +74,7 @@ static gmds_status note_node(removal *r, gmds_id b)
   GMDS_TRY(note(r, 1, d, e));
   for (int j = 2; j <= map->n; j++) {
     const gmds_id beyond = gmds_map_beta(map, j, last);
-    if (gmds_map_beta(map, j, d) != GMDS_NONE && !is_in(r, beyond))
+    if (!is_in(r, beyond))
       GMDS_TRY(note(r, j, d, beyond));
   }
   return GMDS_OK;

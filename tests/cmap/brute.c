@@ -277,12 +277,11 @@ static int take_out(brute *b, int i, gmds_id d, int through)
       if (e != GMDS_NONE)
         b->beta[0][e] = x;
       for (int j = 2; j <= b->n; j++)
-        if (was.beta[j][x] != GMDS_NONE) {
-          const gmds_id y = was.beta[j][last];
-          b->beta[j][x] = y != GMDS_NONE && !in[y] && y != x ? y : GMDS_NONE; /* an end of one edge: it becomes free */
-          if (b->beta[j][x] != GMDS_NONE)
-            b->beta[j][y] = x;
-        }
+        if (was.beta[j][last] != GMDS_NONE && !in[was.beta[j][last]] && was.beta[j][last] != x) {
+          b->beta[j][x] = was.beta[j][last];
+          b->beta[j][b->beta[j][x]] = x;
+        } else /* an end of one edge: it becomes free */
+          b->beta[j][x] = was.beta[j][x] != GMDS_NONE && in[was.beta[j][x]] ? GMDS_NONE : b->beta[j][x];
       continue;
     }
     if (was.beta[i][x] == GMDS_NONE || !in[was.beta[i][x]])
