@@ -102,8 +102,11 @@ void gmds_cells_drop(gmds_cells *cells, gmds_id id)
 gmds_id gmds_cells_take_many(gmds_cells *cells, size_t n)
 {
   size_t first = cells->end;
-  for (size_t id = first; id < first + n; id++)
-    gmds_bits_set(&cells->alive, id);
+  for (size_t id = first; id < first + n;) { /* word by word */
+    const size_t room = 64 - (id & 63), some = first + n - id < room ? first + n - id : room;
+    cells->alive.words[id >> 6] |= (~UINT64_C(0) >> (64 - some)) << (id & 63);
+    id += some;
+  }
   if (cells->hole == first)
     cells->hole = first + n;
   cells->end += n;

@@ -60,6 +60,7 @@ typedef struct cells_report {
 } cells_report;
 
 struct model_entry {
+  const char *name; /* of what is no set of relations (`cmap`), which has no `give_back` and no `code`; else NULL */
   unsigned mask;
   int dim; /* 2, or 3 for a model of volumes, which has neither `cells` nor `give_back` */
   gmds_status (*triangulate)(const model_task *task, model_report *report);

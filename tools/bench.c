@@ -231,20 +231,24 @@ static int run(const verb *v, int argc, char **argv)
 {
   const char *what = NULL, *size = NULL, *model = NULL;
   int json = 0;
-  const option options[] = {{"n", 0, &size, NULL, "N  cells: N x N squares, each cut into two triangles"},
-                            {"model", 0, &model, NULL, "MASK  mesh model (default N|F|F2N|F2F)"},
-                            {"json", 0, NULL, &json, "print one JSON object"}};
+  const option options[] = {
+      {"n", 0, &size, NULL, "N  cells: N x N squares, each cut into two triangles; hexgrid: N x N x N cubes"},
+      {"model", 0, &model, NULL, "MASK|cmap  mesh model (default N|F|F2N|F2F)"},
+      {"json", 0, NULL, &json, "print one JSON object"}};
   int code = read_arguments(v, argc, argv, options, 3, &what, 1, 1);
   if (code >= 0)
     return code;
   if (strcmp(what, "cells") == 0)
     return bench_cells(v, size, model ? model : "N|F|F2N|F2F", json);
   if (strcmp(what, "hexgrid") == 0)
-    return failed("bench hexgrid: this version has no combinatorial maps");
+    return model ? misused(v, "--model belongs to 'cells'") : bench_hexgrid(v, size, json);
   if (strcmp(what, "predicates") == 0)
     return size || model ? misused(v, "--%s belongs to 'cells'", size ? "n" : "model") : bench_predicates(json);
   return misused(v, "there is nothing called '%s' to measure", what);
 }
 
-const verb verb_bench = {"bench", "cells --n N [--model MASK] [--json]\n       gmds bench predicates [--json]",
-                         "times of the work on cells in a model, and of the predicates", run};
+const verb verb_bench = {
+    "bench",
+    "cells --n N [--model MASK] [--json]\n       gmds bench hexgrid --n N [--json]\n"
+    "       gmds bench predicates [--json]",
+    "times of the work on cells in a model, of a grid of hexahedra as a 3-map, and of the predicates", run};

@@ -133,6 +133,8 @@ void end_progress(progress_state *state)
 
 #define DECLARE(prefix, text) extern const model_entry prefix##_entry;
 GMDS_REGISTRY(DECLARE)
+DECLARE(cmap2, "cmap")
+DECLARE(cmap3, "cmap")
 #undef DECLARE
 
 const model_entry *const *all_models(size_t *n)
@@ -193,12 +195,15 @@ static gmds_status find_stored(const char *text, int dim, gmds_error *error, con
 {
   unsigned mask = 0;
   size_t n = 0;
-  if (strcmp(text, "cmap") == 0)
-    return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model 'cmap': this version has no combinatorial maps");
+  if (strcmp(text, "cmap") == 0) {
+    *entry = dim == 2 ? &cmap2_entry : &cmap3_entry;
+    return GMDS_OK;
+  }
   if (dim == 3 && !strchr(text, '|') && read_mask(text, dim, NULL, &mask) != GMDS_OK)
-    return gmds_fail(error, GMDS_ERR_ARGUMENT,
-                     "'%.80s' is no model of volumes: a mask such as 'N|R|R2N' or one of the names F1 to F6, R1 to R4",
-                     text);
+    return gmds_fail(
+        error, GMDS_ERR_ARGUMENT,
+        "'%.80s' is no model of volumes: a mask such as 'N|R|R2N' or one of the names F1 to F6, R1 to R4, or cmap",
+        text);
   GMDS_TRY(read_mask(text, dim, error, &mask));
   if (dim == 3 && !keeps_regions(mask))
     return gmds_fail(error, GMDS_ERR_ARGUMENT, "model '%.80s' keeps no regions: add R, or leave out --dim 3", text);
@@ -268,7 +273,10 @@ static gmds_status lend(const char *word, gmds_error *error, model_choice *choic
 void choose_model(const model_entry *entry, model_choice *choice)
 {
   *choice = (model_choice){.runs = entry};
-  gmds_mask_text(entry->mask, sizeof choice->name, choice->name);
+  if (entry->name)
+    snprintf(choice->name, sizeof choice->name, "%s", entry->name);
+  else
+    gmds_mask_text(entry->mask, sizeof choice->name, choice->name);
 }
 
 gmds_status find_model(const char *text, int dim, gmds_error *error, model_choice *choice)
@@ -284,6 +292,8 @@ gmds_status find_model(const char *text, int dim, gmds_error *error, model_choic
   GMDS_TRY(find_stored(words, dim, error, &entry));
   model_choice found;
   choose_model(entry, &found);
+  if (text[at] && entry->name)
+    return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%s' stores no relations, and borrows none", entry->name);
   if (text[at] && dim == 3)
     return gmds_fail(error, GMDS_ERR_UNSUPPORTED, "model '%.80s': a model of volumes borrows nothing in this version",
                      text);

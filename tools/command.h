@@ -70,10 +70,14 @@ typedef struct model_choice {
  * sentence. */
 gmds_status read_mask(const char *text, int dim, gmds_error *error, unsigned *mask);
 
-/* The model of dimension 2 or 3 that a text stands for; in 3 also the names of named.h, and nothing is borrowed.
+/* The model of dimension 2 or 3 that a text stands for; in 3 also the names of named.h, and nothing is borrowed;
+ * `cmap` is a combinatorial map.
  * GMDS_OK, or any other status after a sentence that says what to add, what to leave out, or which models there are. */
 gmds_status find_model(const char *text, int dim, gmds_error *error, model_choice *choice);
 void choose_model(const model_entry *entry, model_choice *choice);
+
+/* gmds bench hexgrid (hexgrid.c). */
+int bench_hexgrid(const verb *v, const char *size, int json);
 
 /* A string as JSON, quoted. */
 void json_text(FILE *file, const char *text);

@@ -41,7 +41,7 @@ static int run(const verb *v, int argc, char **argv)
        "FILE  where the mesh goes: .off .vtk .vtu .mesh .msh, or .svg for a picture (plane)"},
       {"dim", 0, &dim, NULL, "2|3  dimension (default 2)"},
       {"model", 0, &model, NULL,
-       "MASK  mesh model (default N|F|F2N|F2F, in space N|R|R2N|R2R); in the plane MASK +X2Y borrows a relation"},
+       "MASK|cmap  mesh model (default N|F|F2N|F2F, in space N|R|R2N|R2R); in the plane MASK +X2Y borrows a relation"},
       {"threads", 0, &threads, NULL,
        "T  threads at most (default 1; more where the model allows: the defaults of --model)"},
       {"json", 0, NULL, &json, "print one JSON object"}};
@@ -95,7 +95,7 @@ static int run(const verb *v, int argc, char **argv)
   return status == GMDS_OK ? DONE : failed("%s", error.text);
 }
 
-const verb verb_delaunay = {"delaunay", "INPUT [-o OUTPUT] [--dim 2|3] [--model MASK] [--threads T] [--json]",
+const verb verb_delaunay = {"delaunay", "INPUT [-o OUTPUT] [--dim 2|3] [--model MASK|cmap] [--threads T] [--json]",
                             "the Delaunay triangulation of points: a file, or random:N:SEED, grid:N, circle:N, "
                             "clusters:N:SEED",
                             run};

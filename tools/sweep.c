@@ -280,8 +280,8 @@ static int run(const verb *v, int argc, char **argv)
   const option options[] = {
       {"points", 0, &s.points, NULL, "SPEC  random:N:SEED, grid:N, circle:N, clusters:N:SEED or a file"},
       {"models", 0, &s.models, NULL,
-       "all | paper105 | table4 | masks with commas between, MASK +X2Y borrows (default all); "
-       "--dim 3: named | paths | masks and names F1 to F6, R1 to R4 (default named)"},
+       "all | paper105 | table4 | masks and cmap with commas between, MASK +X2Y borrows (default all); "
+       "--dim 3: named | paths | masks, cmap and names F1 to F6, R1 to R4 (default named)"},
       {"dim", 0, &dim, NULL, "2|3  dimension (default 2)"},
       {"expect", 0, &s.expect, NULL, "SUM  16 hexadecimal digits that every checksum must equal"},
       {"csv", 0, &s.csv, NULL, "FILE  the table as CSV"},

@@ -6,6 +6,8 @@
  *     |) #define GMDS_REGIONS TETRAHEDRON       optional, where R is kept: the only types of regions (TETRAHEDRON,
  *     PYRAMID,
  *                                            PRISM, HEXAHEDRON: the four are the default; POLYHEDRON)
+ *     #define GMDS_BACKEND GMDS_CMAP         optional: a combinatorial map instead of stored relations, with
+ *     #define GMDS_DIM 3                     its dimension (models/cmap/interface.h)
  *     #include <gmds/mesh.h>
  *     #include <gmds/algorithms/delaunay.h>  algorithms written once over any model
  *     #include <gmds/end.h>                  closes the model: nothing leaks
@@ -37,6 +39,7 @@
 #  include <gmds/edges.h>
 #  include <gmds/hops.h>
 #  include <gmds/ids.h>
+#  include <gmds/map.h>
 #  include <gmds/models/choice.h>
 #  include <gmds/parts.h>
 #  include <gmds/relations.h>
@@ -51,15 +54,37 @@
 #  ifndef GMDS_BACKEND
 #    define GMDS_BACKEND GMDS_INCIDENCE
 #  endif
-#  if GMDS_BACKEND != GMDS_INCIDENCE
-#    error "gmds: GMDS_BACKEND must be GMDS_INCIDENCE"
+#  if GMDS_BACKEND != GMDS_INCIDENCE && GMDS_BACKEND != GMDS_CMAP
+#    error "gmds: GMDS_BACKEND must be GMDS_INCIDENCE or GMDS_CMAP"
+#    undef GMDS_BACKEND
+#    define GMDS_BACKEND GMDS_INCIDENCE /* so that nothing more is said */
 #  endif
 
-#  include <gmds/models/mask.h>
-#  include <gmds/models/paths.h>
-#  include <gmds/models/stored.h>
+#  if GMDS_BACKEND == GMDS_CMAP
+#    include <gmds/models/cmap/mask.h>
+#  else
+#    ifdef GMDS_DIM
+#      error "gmds: GMDS_DIM is the dimension of a map: define GMDS_BACKEND GMDS_CMAP, or leave it out"
+#    endif
+#    include <gmds/models/mask.h>
+#    include <gmds/models/paths.h>
+#    include <gmds/models/stored.h>
+#  endif
 
-#  if GMDS__K_3
+#  if GMDS_BACKEND == GMDS_CMAP
+#    include <gmds/models/cmap/names.h>
+#    include <gmds/models/cmap/interface.h>
+#    include <gmds/models/cmap/structure.h>
+#    include <gmds/models/cmap/orbit.h>
+#    include <gmds/models/cmap/sew.h>
+#    include <gmds/models/cmap/make.h>
+#    include <gmds/models/cmap/operations.h>
+#    include <gmds/models/cmap/whole.h>
+#    include <gmds/models/cmap/query.h>
+#    include <gmds/models/cmap/add.h>
+#    include <gmds/models/cmap/star.h>
+#    include <gmds/models/cmap/convert.h>
+#  elif GMDS__K_3
 #    include <gmds/models/volume/names.h>
 #    include <gmds/models/volume/interface.h>
 #    include <gmds/models/volume/structure.h>

@@ -21,6 +21,7 @@
 
 /* Backends of a model. */
 #define GMDS_INCIDENCE 1
+#define GMDS_CMAP 2
 
 /* For functions with a parameter that is a constant in every call: each call compiles its own. */
 #define GMDS_SPECIALISED __attribute__((always_inline)) static inline

@@ -9,6 +9,10 @@
 #  ifdef FACES
 #    define GMDS_FACES FACES
 #  endif
+#  ifdef MAP
+#    define GMDS_BACKEND GMDS_CMAP
+#    define GMDS_DIM MAP
+#  endif
 #  ifdef REGIONS
 #    define GMDS_REGIONS REGIONS
 #  endif
@@ -26,6 +30,7 @@
 #  include <gmds/end.h>
 #  undef MODEL
 #  undef FACES
+#  undef MAP
 #  undef REGIONS
 #  undef TRIANGULATES
 #endif

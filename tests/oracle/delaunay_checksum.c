@@ -1,15 +1,27 @@
 /* The checksum of the Delaunay triangulation by one model, as the oracles print it: delaunay_checksum SPEC in the
- * plane, delaunay_checksum SPEC 3 in space */
+ * plane, delaunay_checksum SPEC 3 in space. With MAPS it is compiled for combinatorial maps. */
 #define GMDS_PREFIX tri
-#define GMDS_MODEL (N | F | F2N | F2F)
-#define GMDS_FACES TRIANGLE
+#ifdef MAPS
+#  define GMDS_BACKEND GMDS_CMAP
+#  define GMDS_DIM 2
+#  define GMDS_MODEL (N | F)
+#else
+#  define GMDS_MODEL (N | F | F2N | F2F)
+#  define GMDS_FACES TRIANGLE
+#endif
 #include <gmds/mesh.h>
 #include <gmds/algorithms/delaunay.h>
 #include <gmds/end.h>
 
 #define GMDS_PREFIX tet
-#define GMDS_MODEL (N | R | R2N | R2R)
-#define GMDS_REGIONS TETRAHEDRON
+#ifdef MAPS
+#  define GMDS_BACKEND GMDS_CMAP
+#  define GMDS_DIM 3
+#  define GMDS_MODEL (N | R)
+#else
+#  define GMDS_MODEL (N | R | R2N | R2R)
+#  define GMDS_REGIONS TETRAHEDRON
+#endif
 #include <gmds/mesh.h>
 #include <gmds/algorithms/delaunay.h>
 #include <gmds/end.h>

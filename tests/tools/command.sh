@@ -104,7 +104,7 @@ run 1 delaunay nan.txt -o bad.off && says 'nan.txt:2' && absent bad.off
 run 1 delaunay random:10:1 --model 'N|F' && says '2->0' && says 'add F2N'
 run 1 delaunay random:10:1 --model 'N|F|F2M' && says "'F2M'"
 run 1 delaunay random:10:1 --model 'N|F|F2F' && says '2->0'
-run 1 delaunay random:10:1 --model cmap
+run 1 delaunay random:10:1 --model cmap2 && says "'cmap2'"
 run 1 delaunay random:abc && says 'random'
 run 1 delaunay random:10:1 -o no_such_folder/x.off && says 'no_such_folder'
 run 1 delaunay random:10:1 -o x.unknown && says 'unknown' && absent x.unknown
@@ -134,6 +134,11 @@ run 0 sweep --points random:100:1 --models paper105 --csv p.csv
 [ "$(wc -l <p.csv)" = 106 ] || fail "paper105 has $(wc -l <p.csv) lines"
 run 0 sweep --points random:100:1 --models 'N|F|F2N,N|F|N2F' && prints '2 of 2'
 run 1 sweep --points random:100:1 --models all --expect 0123456789abcdef && says 'differ'
+run 0 sweep --points random:1225:1 --models 'cmap,N|F|F2N|F2F' --expect 714e3f4d1a8d5edb && prints '2 of 2'
+run 0 sweep --dim 3 --points random:50:1 --models 'cmap,R1' && prints '2 of 2'
+run 1 sweep --points random:100:1 --models 'cmap +F2F' && says 'borrows none'
+run 0 delaunay grid:12 --model cmap -o map.off --json && prints '"model":"cmap"'
+run 0 delaunay grid:4 --dim 3 --model cmap -o map.vtk --json && prints '"dimension":3'
 run 1 sweep --points random:100:1 --models 'N|F|F2N,N|Q' && says "'Q'"
 run 1 sweep --points random:100:1 --models 'N|F|F2N' --csv no_such_folder/x.csv && says 'no_such_folder'
 run 1 sweep --points missing.xy
@@ -160,7 +165,11 @@ done
 [ "$stars" = "$("$gmds" models --dim 2 --csv | awk -F, '$2==1 && $9!="none"' | wc -l)" ] || fail "$stars models have stars"
 run 0 bench predicates --json && prints '"incircle_perturbed":{"uniform":[0-9.]*,"lattice":[0-9.]*}'
 run 0 bench predicates && prints 'nanoseconds a call'
-run 1 bench hexgrid --n 5 && says 'no combinatorial maps'
+run 0 bench hexgrid --n 5 --json && prints '"hexes":125,"darts":3000,"seconds":[0-9.]*,"bytes_per_hex":[0-9.]*'
+run 0 bench hexgrid --n 2 && prints '12 faces sewn'
+run 2 bench hexgrid && says 'needs --n'
+run 2 bench hexgrid --n 3 --model cmap && says 'belongs to'
+run 0 bench cells --n 20 --model cmap --json && prints '"face_by_face":false'
 run 1 bench cells --n 5 --model 'N|F' && says '2->0'
 run 2 bench
 run 2 bench cells && says 'needs --n'
