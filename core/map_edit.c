@@ -70,6 +70,40 @@ static void take_back(edit *e)
     gmds_cells_drop(&e->map->darts, e->made.data[--e->made.n]);
 }
 
+/* Whether beta_j after beta_i is an involution at d, j >= i + 2, and no involution fixes it. */
+static int is_sound_at(const gmds_map *map, gmds_id d)
+{
+  for (int i = 1; i <= map->n; i++) {
+    const gmds_id a = gmds_map_beta(map, i, d);
+    if (a == GMDS_NONE)
+      continue;
+    if (i > 1 && a == d)
+      return 0;
+    for (int j = i + 2; j <= map->n; j++) {
+      const gmds_id b = gmds_map_beta(map, j, d), beyond = gmds_map_beta(map, j, a);
+      if ((b != GMDS_NONE || beyond != GMDS_NONE) && (b == GMDS_NONE || gmds_map_next(map, i, beyond) != b))
+        return 0;
+    }
+  }
+  return 1;
+}
+
+int edit_is_sound(const edit *e)
+{
+  const gmds_map *map = e->map;
+  for (size_t k = 0; k < e->log.n; k++) {
+    const gmds_id d = e->log.data[k];
+    if (k % 3 == 1 || d == GMDS_NONE || id_table_find(&e->goes, d))
+      continue;
+    if (!is_sound_at(map, d))
+      return 0;
+    for (int i = 0; i <= map->n; i++)
+      if (gmds_map_beta(map, i, d) != GMDS_NONE && !is_sound_at(map, gmds_map_beta(map, i, d)))
+        return 0;
+  }
+  return 1;
+}
+
 /* ---- what becomes of the cells */
 
 /* The orbits of one dimension around the edit. */

@@ -32,6 +32,8 @@ static gmds_status insertion_end(insertion *in, gmds_status status)
   gmds_ids_clear(&in->at);
   gmds_ids_clear(&in->betas);
   id_table_clear(&in->index);
+  if (status == GMDS_OK && !edit_is_sound(&in->change)) /* a face that is its own image */
+    status = GMDS_ERR_CONFLICT;
   return edit_end(&in->change, status);
 }
 

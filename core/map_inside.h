@@ -44,6 +44,9 @@ gmds_status edit_join(edit *e, int i, gmds_id d, gmds_id f);
 gmds_status edit_make(edit *e, gmds_id *d); /* a new dart, all free */
 gmds_status edit_drop(edit *e, gmds_id d);  /* frees it, and removes it at the end */
 
+/* Whether the axioms of an n-map hold around what was changed so far. */
+int edit_is_sound(const edit *e);
+
 /* Commits where status is GMDS_OK and the cells can be found, else takes back; the status of the whole. */
 gmds_status edit_end(edit *e, gmds_status status);
 

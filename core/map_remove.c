@@ -141,7 +141,10 @@ static gmds_status finish(removal *r, gmds_map *map, gmds_status status)
   if (status == GMDS_OK) {
     edit e;
     edit_begin(&e, map);
-    status = edit_end(&e, take_out(&e, r));
+    status = take_out(&e, r);
+    if (status == GMDS_OK && !edit_is_sound(&e)) /* open faces around, whose images would be left without an end */
+      status = GMDS_ERR_CONFLICT;
+    status = edit_end(&e, status);
   }
   removal_clear(r);
   return status;

@@ -193,7 +193,8 @@ static inline gmds_status insert_face_in_volume(mesh *m, size_t n, const gmds_id
 /* Removal of the i-cell of d, i from 0 to n - 1: the (i+1)-cells around it become one. An i-cell can be removed when i
  * is n - 1, or when no more than two (i+1)-cells are around it ([homology] 3.1, Damiand and Lienhardt 2014, chapter 6).
  * Contraction, i from 1 to n: its (i-1)-cells become one; possible when i is 1, or no more than two (i-1)-cells are on
- * it. GMDS_ERR_CONFLICT where it is not; GMDS_ERR_ARGUMENT (no such i). */
+ * it. GMDS_ERR_CONFLICT where it is not, or where faces around it are open and what is left would be no map;
+ * GMDS_ERR_ARGUMENT (no such i). */
 static inline gmds_status is_removable(const mesh *m, int i, gmds_id d, gmds_memory *memory, int *removable);
 static inline gmds_status remove_cell(mesh *m, int i, gmds_id d);
 static inline gmds_status is_contractible(const mesh *m, int i, gmds_id d, gmds_memory *memory, int *contractible);

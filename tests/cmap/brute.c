@@ -292,7 +292,7 @@ static int take_out(brute *b, int i, gmds_id d, int through)
     b->beta[i][x] = y;
     b->beta[i == 1 ? 0 : i][y] = x;
   }
-  return 1;
+  return brute_is_map(b); /* around open faces it need not be one */
 }
 
 int brute_remove(brute *b, int i, gmds_id d)

@@ -1,5 +1,5 @@
-// The same scripts of operations on our maps and on CGAL's Combinatorial_map: afterwards both are isomorphic. Ours is written
-// out as numbers of betas, CGAL's map is built from the same list of steps, told by the numbers of darts.
+// The same steps on our maps and on CGAL's Combinatorial_map: afterwards both have the same links, told by walking both at
+// once from the darts that were there before.
 //   oracle_maps [SEEDS]     exit 0: every script agrees
 #define CGAL_NDEBUG // it finds marks of its own left behind where a cell is its own neighbour
 #include <CGAL/Combinatorial_map.h>
@@ -45,8 +45,8 @@ template <unsigned N> struct pair_of_maps {
     gmds_map_clear(&ours);
   }
 
-  // CGAL links what is left of a cell that was its own neighbour with itself; ours becomes free, since an involution of an
-  // n-map has no fixed points.
+  // CGAL links what is left of a cell that was its own neighbour with itself; ours becomes free, since an involution
+  // of an n-map has no fixed points.
   handle link_of(handle h, unsigned i)
   {
     const handle f = theirs.beta(h, i);
@@ -158,8 +158,8 @@ template <unsigned N> struct pair_of_maps {
     return GMDS_NONE;
   }
 
-  // Whether e is on the cell that d would be sewn by: ours folds it where that makes a map, CGAL refuses; or one face is open
-  // and the other is not: ours refuses, CGAL looks at one end alone.
+  // Whether e is on the cell that d would be sewn by: ours folds it where that makes a map, CGAL refuses; or one face
+  // is open and the other is not: ours refuses, CGAL looks at one end alone.
   bool is_fold(unsigned i, gmds_id d, gmds_id e)
   {
     gmds_memory memory;

@@ -112,9 +112,11 @@ static void play(script *s, step kind)
                                               : 1 + (int)random_below(&s->seed, (size_t)n);
   const gmds_id d = any_dart(s);
   gmds_id e = any_dart(s);
-  if (kind == ACROSS && what % 4) /* more often than not one of the same face */
-    for (size_t k = 1 + what / 4 % 4; k--;)
-      e = gmds_map_beta(&s->map, 1, k ? e : d) == GMDS_NONE ? d : gmds_map_beta(&s->map, 1, d);
+  if (kind == ACROSS && what % 4) { /* more often than not one of the same face */
+    e = d;
+    for (size_t k = 1 + what / 4 % 4; k-- && gmds_map_beta(&s->map, 1, e) != GMDS_NONE;)
+      e = gmds_map_beta(&s->map, 1, e);
+  }
   static brute was;
   brute_copy(&was, &s->map);
   foresee(s, kind, i, d, e);
@@ -138,7 +140,7 @@ static void play(script *s, step kind)
       ck_assert_msg(brute_equals(&s->expected, &s->map), "step %d of beta %d: other links", kind, i);
   }
   *(status == GMDS_OK ? &s->done[kind] : &s->denied[kind]) += 1;
-  ck_assert_msg(gmds_map_check(&s->map, &s->memory, NULL, &error) == GMDS_OK, "step %d: %s", kind, error.text);
+  ck_assert_msg(gmds_map_check(&s->map, &s->memory, NULL, &error) == GMDS_OK, "step %d, %d: %s", kind, i, error.text);
   brute_check_cells(&s->map);
   gmds_map_bytes_clear(&before);
   gmds_map_bytes_clear(&after);
