@@ -223,7 +223,7 @@ static inline gmds_status components_of_darts(const mesh *m, gmds_memory *memory
 /* A number that isomorphic maps have in common, whatever their numbering: from what is around each dart, two steps far
  * with coordinates, sixteen without, summed over all (refinement as of Weisfeiler and Leman, 1968). Maps that are
  * regular everywhere, without coordinates, may have the same and be different. GMDS_OK or GMDS_ERR_MEMORY. O(map). */
-static inline gmds_status map_checksum(const mesh *m, int with_points, gmds_memory *memory, uint64_t *sum);
+static inline gmds_status dart_checksum(const mesh *m, int with_points, gmds_memory *memory, uint64_t *sum);
 
 /* The map as bytes that any machine reads: darts and cells numbered without holes, links, coordinates, attributes of
  * cells; version 1. `bytes` (its memory set) is replaced. read_bytes fills an empty map without attributes, of the same

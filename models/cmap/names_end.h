@@ -60,6 +60,7 @@
 #undef beta
 #undef is_free
 #undef cell_of
+#undef dart_checksum
 #undef dart_of
 #undef cell_darts
 #undef orbit
@@ -96,7 +97,6 @@
 #undef check_map
 #undef is_isomorphic
 #undef components_of_darts
-#undef map_checksum
 #undef write_bytes
 #undef read_bytes
 #undef face_sides

@@ -21,7 +21,7 @@ static inline gmds_status components_of_darts(const mesh *m, gmds_memory *memory
   return gmds_map_components(&m->map, memory, count);
 }
 
-static inline gmds_status map_checksum(const mesh *m, int with_points, gmds_memory *memory, uint64_t *sum)
+static inline gmds_status dart_checksum(const mesh *m, int with_points, gmds_memory *memory, uint64_t *sum)
 {
   return gmds_map_checksum(&m->map, with_points, memory, sum);
 }

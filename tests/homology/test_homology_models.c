@@ -51,6 +51,16 @@ static void make_soup(const face_list *f, gmds_memory *memory, gmds_soup *soup)
 #define RUN whole
 #include "body.h"
 
+#define GMDS_PREFIX map
+#define GMDS_BACKEND GMDS_CMAP
+#define GMDS_DIM 2
+#define GMDS_MODEL (N | F)
+#include <gmds/mesh.h>
+#include <gmds/algorithms/homology.h>
+#include <gmds/end.h>
+#define RUN map
+#include "body.h"
+
 START_TEST(surfaces_of_meshes_have_their_homology)
 {
   uint64_t seed = 31;
@@ -64,6 +74,10 @@ START_TEST(surfaces_of_meshes_have_their_homology)
       }
       sides_run(&squares, &seed);
       whole_run(&squares, &seed);
+      if (k != MOEBIUS && k != KLEIN && k != PROJECTIVE) { /* no map can turn those */
+        map_run(&squares, &seed);
+        map_run(&triangles, &seed);
+      }
       free_faces(&triangles);
       free_faces(&squares);
     }
