@@ -133,9 +133,9 @@ static inline gmds_status hop_2_1(const mesh *m, gmds_ids *list, size_t first, s
 /* ---- answers */
 
 /* The list holds the cell alone: the path starts from it. */
-static inline gmds_status begin_answer(const mesh *m, int i, gmds_id id, gmds_ids *out)
+static inline gmds_status begin_answer(const gmds_cells *cells, gmds_id id, gmds_ids *out)
 {
-  if (!gmds_cells_has(&m->cells[i], id))
+  if (!gmds_cells_has(cells, id))
     return GMDS_ERR_CELL;
   out->n = 0;
   return gmds_ids_push(out, id);
@@ -220,7 +220,7 @@ static inline void keep_sharing_side(const mesh *m, gmds_id f, gmds_ids *list, s
 #if GMDS__CAN_0_0
 static inline gmds_status get_adj_0_0(const mesh *m, gmds_id v, gmds_ids *out)
 {
-  GMDS_TRY(begin_answer(m, 0, v, out));
+  GMDS_TRY(begin_answer(&m->cells[0], v, out));
 #  if GMDS__ROW_0_0 == 1
   GMDS_TRY(gmds_hop_rows(&m->r_0_0, out, 0, 1));
   return end_answer(out, 1, 1, v);
@@ -253,7 +253,7 @@ static inline gmds_status get_adj_0_0(const mesh *m, gmds_id v, gmds_ids *out)
 #if GMDS__CAN_0_1
 static inline gmds_status get_adj_0_1(const mesh *m, gmds_id v, gmds_ids *out)
 {
-  GMDS_TRY(begin_answer(m, 0, v, out));
+  GMDS_TRY(begin_answer(&m->cells[0], v, out));
   GMDS_TRY(hop_0_1(m, out, 0, 1));
   return end_answer(out, 1, 1, GMDS_NONE);
 }
@@ -262,7 +262,7 @@ static inline gmds_status get_adj_0_1(const mesh *m, gmds_id v, gmds_ids *out)
 #if GMDS__CAN_0_2
 static inline gmds_status get_adj_0_2(const mesh *m, gmds_id v, gmds_ids *out)
 {
-  GMDS_TRY(begin_answer(m, 0, v, out));
+  GMDS_TRY(begin_answer(&m->cells[0], v, out));
 #  if GMDS__ROW_0_2 == 1
   GMDS_TRY(hop_0_2(m, out, 0, 1));
   return end_answer(out, 1, 1, GMDS_NONE);
@@ -278,7 +278,7 @@ static inline gmds_status get_adj_0_2(const mesh *m, gmds_id v, gmds_ids *out)
 #if GMDS__CAN_1_0
 static inline gmds_status get_adj_1_0(const mesh *m, gmds_id e, gmds_ids *out)
 {
-  GMDS_TRY(begin_answer(m, 1, e, out));
+  GMDS_TRY(begin_answer(&m->cells[1], e, out));
   GMDS_TRY(hop_1_0(m, out, 0, 1));
   return end_answer(out, 1, 1, GMDS_NONE);
 }
@@ -287,7 +287,7 @@ static inline gmds_status get_adj_1_0(const mesh *m, gmds_id e, gmds_ids *out)
 #if GMDS__CAN_1_1
 static inline gmds_status get_adj_1_1(const mesh *m, gmds_id e, gmds_ids *out)
 {
-  GMDS_TRY(begin_answer(m, 1, e, out));
+  GMDS_TRY(begin_answer(&m->cells[1], e, out));
 #  if GMDS__ROW_1_1 == 1
   GMDS_TRY(gmds_hop_rows(&m->r_1_1, out, 0, 1));
   return end_answer(out, 1, 1, e);
@@ -303,7 +303,7 @@ static inline gmds_status get_adj_1_1(const mesh *m, gmds_id e, gmds_ids *out)
 #if GMDS__CAN_1_2
 static inline gmds_status get_adj_1_2(const mesh *m, gmds_id e, gmds_ids *out)
 {
-  GMDS_TRY(begin_answer(m, 1, e, out));
+  GMDS_TRY(begin_answer(&m->cells[1], e, out));
 #  if GMDS__ROW_1_2 == 1
   GMDS_TRY(hop_1_2(m, out, 0, 1));
   return end_answer(out, 1, 1, GMDS_NONE);
@@ -326,7 +326,7 @@ static inline gmds_status get_adj_1_2(const mesh *m, gmds_id e, gmds_ids *out)
 #if GMDS__CAN_2_0
 static inline gmds_status get_adj_2_0(const mesh *m, gmds_id f, gmds_ids *out)
 {
-  GMDS_TRY(begin_answer(m, 2, f, out));
+  GMDS_TRY(begin_answer(&m->cells[2], f, out));
 #  if GMDS__S_2_0
   size_t n = 0;
   const gmds_id *v = row_2_0(m, f, &n);
@@ -360,7 +360,7 @@ static inline gmds_status get_adj_2_0(const mesh *m, gmds_id f, gmds_ids *out)
 #if GMDS__CAN_2_1
 static inline gmds_status get_adj_2_1(const mesh *m, gmds_id f, gmds_ids *out)
 {
-  GMDS_TRY(begin_answer(m, 2, f, out));
+  GMDS_TRY(begin_answer(&m->cells[2], f, out));
 #  if GMDS__S_2_1
   size_t n = 0;
   const gmds_id *e = row_2_1(m, f, &n);
@@ -391,7 +391,7 @@ static inline gmds_status get_adj_2_1(const mesh *m, gmds_id f, gmds_ids *out)
 #if GMDS__CAN_2_2
 static inline gmds_status get_adj_2_2(const mesh *m, gmds_id f, gmds_ids *out)
 {
-  GMDS_TRY(begin_answer(m, 2, f, out));
+  GMDS_TRY(begin_answer(&m->cells[2], f, out));
 #  if GMDS__ROW_2_2 == 1
   size_t n = 0;
   const gmds_id *row = row_2_2(m, f, &n);

@@ -4,7 +4,7 @@
 #if GMDS__AT(GMDS__CAN)
 static inline gmds_status GMDS__AT(get_adj)(const mesh *m, gmds_id c, gmds_ids *out)
 {
-  gmds_status status = begin_answer(m, GMDS__A, c, out);
+  gmds_status status = begin_answer(&m->cells[GMDS__A], c, out);
   if (status != GMDS_OK)
     return status;
 #  if GMDS__A == 2 && GMDS__B == 0 && GMDS_ORDERED_2_0 && !GMDS__S_2_0

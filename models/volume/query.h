@@ -359,9 +359,9 @@ GMDS_SPECIALISED gmds_status is_answer(const mesh *m, int i, gmds_id c, int l, g
 /* ---- walking along a row of the tables */
 
 /* The list holds the cell alone: the path starts from it. */
-static inline gmds_status begin_answer(const mesh *m, int i, gmds_id id, gmds_ids *out)
+static inline gmds_status begin_answer(const gmds_cells *cells, gmds_id id, gmds_ids *out)
 {
-  if (!gmds_cells_has(&m->cells[i], id))
+  if (!gmds_cells_has(cells, id))
     return GMDS_ERR_CELL;
   out->n = 0;
   return gmds_ids_push(out, id);
