@@ -141,9 +141,10 @@ static gmds_status match_darts(gmds_surface *s, unsigned threads, gmds_error *er
     return gmds_fail(error, status, "out of memory for the border of a surface");
   if (third != GMDS_NONE) {
     const gmds_id f = gmds_surface_listed(s, gmds_surface_face(s, third));
+    const gmds_id a = s->origin[third], b = s->origin[gmds_surface_beta1(s, third)];
     gmds_fail(error, GMDS_ERR_CONFLICT,
               "face %" GMDS_PRIid " is the third on the edge of vertices %" GMDS_PRIid " and %" GMDS_PRIid, f,
-              s->origin[third], s->origin[gmds_surface_beta1(s, third)]);
+              a < b ? a : b, a < b ? b : a);
     if (error)
       error->cell = (long long)f;
     return GMDS_ERR_CONFLICT;
