@@ -1,5 +1,6 @@
 /* gmds models: the census, computed. */
 #include "command.h"
+#include <gmds/map.h>
 #include <string.h>
 
 static const char letter[] = "NEFR";
@@ -116,6 +117,20 @@ static int print_model(unsigned mask, int dim)
   return DONE;
 }
 
+/* What a combinatorial map takes and answers. */
+static int print_maps(void)
+{
+  printf("cmap: combinatorial maps; queries between cells that are kept are orbits, all local\n");
+  for (int n = 2; n <= GMDS_MAP_MOST; n++) {
+    gmds_map map;
+    gmds_map_init(&map, n, 3, 1, NULL);
+    printf("  %d-map that keeps nodes: %zu bytes a dart, and %zu for each kind of cell kept beside them\n", n,
+           (size_t)map.stride * sizeof(gmds_id), sizeof(gmds_id));
+    gmds_map_clear(&map);
+  }
+  return DONE;
+}
+
 static int run(const verb *v, int argc, char **argv)
 {
   const char *text = NULL, *dim_text = NULL;
@@ -131,6 +146,8 @@ static int run(const verb *v, int argc, char **argv)
     return misused(v, "--dim is 2 or 3, not '%s'", dim_text);
   if (!text)
     return print_census((int)dim, csv);
+  if (strcmp(text, "cmap") == 0)
+    return print_maps();
   gmds_error error = {.status = GMDS_OK};
   unsigned mask = 0;
   if (read_mask(text, dim_text ? (int)dim : 3, &error, &mask) != GMDS_OK)
@@ -150,6 +167,6 @@ static int run(const verb *v, int argc, char **argv)
 
 const verb verb_models = {
     "models", "[MASK|NAME] [--dim 2|3] [--csv]",
-    "what each mesh model can answer, and at what cost; for one mask, or one of the names F1 to F6 "
+    "what each mesh model can answer, and at what cost; for one mask, cmap, or one of the names F1 to F6 "
     "and R1 to R4 of models of volumes, its matrices and paths",
     run};

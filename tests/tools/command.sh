@@ -57,6 +57,7 @@ run 0 models --dim 2 --csv
 run 0 models --dim 3 --csv
 [ "$(awk -F, 'NR>1{s+=$2} END{print s}' out)" = 7854 ] || fail "computable in 3D"
 [ "$(awk -F, 'NR>1{s+=$3} END{print s}' out)" = 5856 ] || fail "identified in 3D"
+run 0 models cmap && prints '3-map that keeps nodes: [0-9]* bytes a dart'
 run 0 models 'N|F|F2N|F2F' && prints 'direct matrix' && prints '0 -> 2  global' && prints 'traversal of F2N'
 run 0 models 'N|E|F|R|N2E|E2N|E2F|F2E|F2R|R2F' && prints '2 2 x 2'
 run 0 models R1 && prints 'model N|R|N2R|R2N'
